@@ -39,7 +39,7 @@ def test_the_leg_comes_down_at_the_angle_that_is_asked_for(found):
 
 def test_a_patch_that_is_none_changes_nothing(found):
     gait = found.gaits[10]
-    outcomes = meet_patch([gait], [contact_angle_of(gait)], gait.friction, strides=3)
+    outcomes = meet_patch([gait], [contact_angle_of(gait)], gait.friction)
     assert outcomes.fell[0, 0] == 0.0
     assert outcomes.slip_distance[0, 0] == pytest.approx(gait.stride["slip_distance"], abs=1e-12)
 

@@ -9,7 +9,7 @@ from conftest import release, some_of
 from tdmf_slip.cli.main import commands
 from tdmf_slip.errors import RunError
 from tdmf_slip.paper import results_page
-from tdmf_slip.paper.statements.claim import DEFAULT, REGIMES, Check, Estimate, OwnClaim, Row, Rows, solved
+from tdmf_slip.paper.statements.claim import DEFAULT, REGIMES, Estimate, OwnClaim, Row, between, check, solved
 from tdmf_slip.paper.statements.own_claims import LAST_SEED, SECTIONS, OwnClaims, Recomputed, own_claims
 from tdmf_slip.variables.parameters import preset_names
 
@@ -59,10 +59,10 @@ def test_stored_values_of_single_gaits_are_computed_again(claim):
     stored = stored_claims(section, 1)
     rows = next(one.rows for one in stored if one.claim is claim)
     for regime in REGIMES:
-        check(claim.row(regime, 1), rows[regime.name])
+        compare(claim.row(regime, 1), rows[regime.name])
 
 
-def check(row, stored):
+def compare(row, stored):
     """Numbers without chance are equal; intervals of estimates overlap, as processors round differently."""
     for now, then in ((row.value, stored.value), (row.control, stored.control)):
         if not isinstance(then, Estimate):
@@ -73,8 +73,10 @@ def check(row, stored):
             assert now.low <= then.high and then.low <= now.high
 
 
-def one_claim(measure, holds=lambda rows: rows["default"].number == 2.0):
-    return OwnClaim("name", "two", "tdmf-slip gait --seed {seed}", Check(measure, None, holds))
+def one_claim(measure):
+    return OwnClaim(
+        "name", "two", "tdmf-slip gait --seed {seed}", check(measure, None, between(1, 3, "default"))
+    )
 
 
 def test_a_claim_that_needs_a_missing_number_does_not_hold():
@@ -85,7 +87,7 @@ def test_a_claim_that_needs_a_missing_number_does_not_hold():
         claim = one_claim(solved(measure))
         row = claim.row(DEFAULT, 1)
         assert str(row) == cell
-        found = OwnClaims(7, [Recomputed(claim, Rows((regime.name, row) for regime in REGIMES))])
+        found = OwnClaims(7, [Recomputed(claim, {regime.name: row for regime in REGIMES})])
         assert found.passed is holds
         text = found.as_text(".venv/bin/tdmf-slip")
         assert ("DOES NOT HOLD" in text) is not holds and ".venv/bin/tdmf-slip gait --seed 7" in text
@@ -125,7 +127,7 @@ def test_every_claim_computed_again_holds(section):
     for one, then in zip(found.claims, stored, strict=True):
         assert one.holds, one.claim.name
         for regime in REGIMES:
-            check(one.rows[regime.name], then.rows[regime.name])
+            compare(one.rows[regime.name], then.rows[regime.name])
 
 
 def test_names_are_unique():

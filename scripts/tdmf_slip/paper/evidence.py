@@ -3,9 +3,10 @@
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, cached_property
 
 import numpy as np
+import pandas
 from scipy.optimize import brentq
 
 from ..analysis.search import Spread, periodic_gait, search_from_spread
@@ -53,6 +54,14 @@ class Evidence:
     """Strides among them that have more than one touchdown, or do not reach the next apex."""
     printed_torque: Spread
     """Search for a gait with the stance torque (11) as it is printed, from starts all over the section."""
+
+    @cached_property
+    def gaits(self) -> pandas.DataFrame:
+        """Friction, word, largest eigenvalue and quantities of the stride of each gait of the sweep."""
+        return pandas.DataFrame(
+            {"friction": gait.friction, "word": gait.word, "lambda_max": gait.lambda_max, **gait.stride}
+            for gait in self.sweep.gaits
+        )
 
 
 @dataclass(frozen=True, eq=False)

@@ -2,10 +2,9 @@
 
 Clark and Higham (2011): `guinea_fowl.toml` has their words, and the runner that stands for a bird.
 
-Computed are runners that meet a slippery patch, and whether they fall, by the angle at which the leg lands. A
-runner on its gait reaches an apex with the patch before it. For that landing the leg is placed at a contact
-angle of its own, and for some strides the friction is another one; then all is as before. The map is the
-reduced one, whose leg is where it is to be placed.
+A runner on its gait reaches an apex with the patch before it. For this landing the leg is placed at a
+prescribed contact angle, and the friction of the stride is that of the patch; then all is as before. The
+reduced map is used, because its leg is where it is to be placed.
 """
 
 import math
@@ -66,10 +65,8 @@ def landing_at(gait: Gait, contact_angle: float) -> Runner | None:
     )
 
 
-def meet_patch(
-    gaits: Sequence[Gait], contact_angles: Sequence[float], friction: float, strides: int = 1
-) -> PatchOutcomes:
-    """Falls and slip of runners on gaits that meet a patch."""
+def meet_patch(gaits: Sequence[Gait], contact_angles: Sequence[float], friction: float) -> PatchOutcomes:
+    """Falls and slip of runners on gaits that meet a patch, one stride long."""
     shape = len(gaits), len(contact_angles)
     fell, slips = np.full(shape, np.nan), np.full(shape, np.nan)
     landings = {
@@ -82,9 +79,6 @@ def meet_patch(
     for cell, apex in zip(cells, apices, strict=True):
         slips[cell], fell[cell] = _slip(landings[cell], apex), 1.0
     up, apices = _followed(cells, [landings[cell] for cell in cells], apices, 1)
-    if strides > 1:
-        on_patch = [gaits[row].runner.replace({FRICTION: friction}) for row, _ in up]
-        up, apices = _followed(up, on_patch, apices, strides - 1)
     after = [gaits[row].runner for row, _ in up]
     for cell in _followed(up, after, apices, AFTER, [[gaits[row].apex] for row, _ in up])[0]:
         fell[cell] = 0.0
@@ -212,11 +206,11 @@ def _continued(gait: Gait, speeds: Sequence[float]) -> list[Gait]:
     return found
 
 
-def fall_map(leg_length: float | None = None, strides: int = 1) -> Map:
+def fall_map(leg_length: float | None = None) -> Map:
     """Falls on a slippery patch over speed and contact angle."""
     found = gaits(leg_length)
     frictions = (*FRICTIONS, published()["runner"]["high_friction"])
-    return Map(found, {mu: meet_patch(found, list(ANGLES), mu, strides) for mu in frictions})
+    return Map(found, {mu: meet_patch(found, list(ANGLES), mu) for mu in frictions})
 
 
 def claims(found: Map) -> list[Claim]:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
+import pandas
 
 from .claims import WORDS, Claim, Finding, alike
 from .evidence import LEAST_FRICTION, LEG_ANGLE, SLIP_ANGLE, ClassicEvidence, Evidence
@@ -94,34 +94,15 @@ def claims(evidence: Mapping[str, Evidence], classic: ClassicEvidence) -> list[C
     return [*classic_claims(classic), *(statement.claim(evidence) for statement in STATEMENTS)]
 
 
-def _values(evidence: Evidence, name: str) -> NDArray[np.float64]:
-    """A quantity of all gaits, by falling friction."""
-    return np.array([gait.stride[name] for gait in evidence.sweep.gaits])
-
-
-def _frictions(evidence: Evidence) -> NDArray[np.float64]:
-    return np.array([gait.friction for gait in evidence.sweep.gaits])
-
-
-def _per_cent(values: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Change over the first value."""
-    change: NDArray[np.float64] = 100.0 * (values / values[0] - 1.0)
-    return change
-
-
-def _below_best(evidence: Evidence) -> NDArray[np.bool_]:
-    return _frictions(evidence) < BEST_FRICTION
-
-
-def _from_best(evidence: Evidence, name: str) -> NDArray[np.float64]:
-    """A quantity on frictions below 0.5, by falling friction."""
-    return _values(evidence, name)[_below_best(evidence)]
+def _per_cent(evidence: Evidence, name: str) -> pandas.Series:
+    """Changes of a quantity over its value at the highest friction."""
+    values = evidence.gaits[name]
+    return 100.0 * (values / values.iloc[0] - 1.0)
 
 
 def _slips_last(evidence: Evidence) -> Finding:
-    words = [gait.word for gait in evidence.sweep.gaits]
-    slipping = sum(word[-1] in "+-" for word in words)
-    return Finding(f"in {slipping} of {len(words)} gaits", slipping == len(words))
+    slips = evidence.gaits["word"].str[-1].isin(["+", "-"])
+    return Finding(f"in {slips.sum()} of {len(slips)} gaits", bool(slips.all()))
 
 
 def _printed_torque(evidence: Evidence) -> Finding:
@@ -181,17 +162,17 @@ def _sixth_word(evidence: Evidence) -> Finding:
 
 
 def _stable(evidence: Evidence) -> Finding:
-    values = [gait.lambda_max for gait in evidence.sweep.gaits]
-    return Finding(f"{min(values):.4f} to {max(values):.4f}", max(values) < 1.0)
+    values = evidence.gaits["lambda_max"]
+    return Finding(f"{values.min():.4f} to {values.max():.4f}", bool(values.max() < 1.0))
 
 
 def _degrades(evidence: Evidence) -> Finding:
-    values = np.array([gait.lambda_max for gait in evidence.sweep.gaits])
-    drops = -np.diff(values)
-    text = f"{values[0]:.4f} to {values[-1]:.4f}"
+    values = evidence.gaits["lambda_max"]
+    drops, first, last = -values.diff(), values.iloc[0], values.iloc[-1]
+    text = f"{first:.4f} to {last:.4f}"
     if drops.max() > ROUNDING:
-        text += f", but -{drops.max():.4f} at mu = {_frictions(evidence)[drops.argmax() + 1]:.2f}"
-    return Finding(text, bool(drops.max() < 0.01 * (values[-1] - values[0])))
+        text += f", but -{drops.max():.4f} at mu = {evidence.gaits['friction'][drops.idxmax()]:.2f}"
+    return Finding(text, bool(drops.max() < 0.01 * (last - first)))
 
 
 def _low_eigenvalues(evidence: Evidence) -> Finding:
@@ -222,72 +203,63 @@ def _tiny_eigenvalues(evidence: Evidence) -> Finding:
     )
 
 
-def _faster(evidence: Evidence) -> Finding:
-    speeds = _values(evidence, "speed")[~_below_best(evidence)]
-    return Finding(f"{speeds[0]:.4f} to {speeds[-1]:.4f}", bool(np.all(np.diff(speeds) > 0.0)))
-
-
 def _best(name: str, gain: float) -> Callable[[Evidence], Finding]:
     """Compare the extreme change of a quantity over friction 10 with the paper's gain."""
 
     def judge(evidence: Evidence) -> Finding:
-        changes = _per_cent(_values(evidence, name))
-        best = int(np.argmax(np.sign(gain) * changes))
-        friction = evidence.sweep.gaits[best].friction
-        near = abs(friction - BEST_FRICTION) < NEAR_FRICTION and abs(changes[best] - gain) < ROUGHLY
-        return Finding(f"{changes[best]:+.1f} % at mu = {friction:.2f}", near)
+        changes = _per_cent(evidence, name)
+        best = (np.sign(gain) * changes).idxmax()
+        friction, change = evidence.gaits["friction"][best], changes[best]
+        near = abs(friction - BEST_FRICTION) < NEAR_FRICTION and abs(change - gain) < ROUGHLY
+        return Finding(f"{change:+.1f} % at mu = {friction:.2f}", bool(near))
 
     return judge
 
 
 def _slower(evidence: Evidence) -> Finding:
-    speeds, frictions = _from_best(evidence, "speed"), _frictions(evidence)[_below_best(evidence)]
-    steepness = np.diff(speeds) / np.diff(frictions)
-    sharp = frictions[1:] < SHARP_BELOW
+    low = evidence.gaits[evidence.gaits["friction"] < BEST_FRICTION]
+    steepness = low["speed"].diff() / low["friction"].diff()
+    sharp = low["friction"] < SHARP_BELOW
     above, below = steepness[~sharp].mean(), steepness[sharp].mean()
+    least, speed = low["friction"].iloc[-1], low["speed"].iloc[-1]
     return Finding(
-        f"{speeds[-1]:.3f} at mu = {frictions[-1]:g}; slope {below:.1f} below 0.2, {above:.1f} above",
-        bool(np.all(np.diff(speeds) < 0.0) and below > above),
+        f"{speed:.3f} at mu = {least:g}; slope {below:.1f} below 0.2, {above:.1f} above",
+        bool(low["speed"].is_monotonic_decreasing and below > above),
     )
 
 
 def _cheaper(evidence: Evidence) -> Finding:
-    changes = _per_cent(_values(evidence, "cost_of_transport"))
-    slipping = changes[[gait.word[0] == "+" for gait in evidence.sweep.gaits]]
-    text = f"lower in {np.sum(slipping < 0.0)} of {len(slipping)} gaits, by up to {-slipping.min():.1f} %"
+    slipping = _per_cent(evidence, "cost_of_transport")[evidence.gaits["word"].str.startswith("+")]
+    text = f"lower in {sum(slipping < 0.0)} of {len(slipping)} gaits, by up to {-slipping.min():.1f} %"
     return Finding(text, bool(slipping.max() < 0.0))
 
 
-def _dearer(evidence: Evidence) -> Finding:
-    costs = _from_best(evidence, "cost_of_transport")
-    return Finding(
-        f"{costs[0]:.3f} to {costs[-1]:.3f} at mu = {evidence.sweep.gaits[-1].friction:g}",
-        bool(np.all(np.diff(costs) > 0.0)),
-    )
+def _trend(
+    name: str, sign: float, digits: int, *, low: bool = False, where: bool = False, steadily: bool = True
+) -> Callable[[Evidence], Finding]:
+    """Compare the change of a quantity as friction falls to 0.5, or from there on, with the paper's sign.
 
-
-def _trend(name: str, sign: float, digits: int = 1) -> Callable[[Evidence], Finding]:
-    """Compare a quantity at friction 10 with the same at 0.5."""
+    With `where` the text names the last friction. With `steadily` the quantity may not turn in between.
+    """
 
     def judge(evidence: Evidence) -> Finding:
-        values = _values(evidence, name)[~_below_best(evidence)]
-        text = f"{values[0]:.{digits}f} to {values[-1]:.{digits}f}"
-        return Finding(text, bool(sign * (values[-1] - values[0]) > 0.0))
+        rows = evidence.gaits[(evidence.gaits["friction"] < BEST_FRICTION) == low]
+        first, last = rows[name].iloc[0], rows[name].iloc[-1]
+        text = f"{first:.{digits}f} to {last:.{digits}f}"
+        if where:
+            text += f" at mu = {rows['friction'].iloc[-1]:g}"
+        rises = (sign * rows[name]).is_monotonic_increasing if steadily else sign * last > sign * first
+        return Finding(text, bool(rises))
 
     return judge
 
 
-def _shorter(evidence: Evidence) -> Finding:
-    lengths = _from_best(evidence, "length")
-    return Finding(f"{lengths[0]:.1f} to {lengths[-1]:.1f}", bool(np.all(np.diff(lengths) < 0.0)))
-
-
 def _work(evidence: Evidence) -> Finding:
-    work, lost = _from_best(evidence, "work"), _from_best(evidence, "friction_loss")
-    both = zip((work, lost), ("W", "friction"), strict=True)
-    text = "; ".join(f"{name} {values[0]:.4f} to {values[-1]:.4f}" for values, name in both)
-    return Finding(text, bool(np.all(np.diff(work) > 0.0)))
+    work, lost = (_trend(name, 1.0, 4, low=True)(evidence) for name in ("work", "friction_loss"))
+    return Finding(f"W {work.text}; friction {lost.text}", work.agrees)
 
+
+_dearer = _trend("cost_of_transport", 1.0, 3, low=True, where=True)
 
 STATEMENTS: Sequence[Statement] = (
     Statement(
@@ -311,22 +283,29 @@ STATEMENTS: Sequence[Statement] = (
         "second impact after lift-off",
         _second_impacts,
     ),
-    Statement("5.2", "speed as mu falls to 0.5", "rises", _faster),
+    Statement("5.2", "speed as mu falls to 0.5", "rises", _trend("speed", 1.0, 4)),
     Statement(
         "5.2", "largest speed", f"≈ {SPEED_GAIN:+g} % at mu ≈ {BEST_FRICTION:g}", _best("speed", SPEED_GAIN)
     ),
     Statement("5.2", "speed below mu = 0.5", "drops, sharply below 0.2", _slower),
     Statement("5.2", "cost of transport with slip at impact", "below that without, at every mu", _cheaper),
-    Statement("5.2", "step length as mu falls to 0.5", "increases", _trend("length", 1.0)),
-    Statement("5.2", "impact loss as mu falls to 0.5", "decreases", _trend("impact_loss", -1.0, 4)),
+    Statement("5.2", "step length as mu falls to 0.5", "increases", _trend("length", 1.0, 1)),
+    Statement(
+        "5.2", "impact loss as mu falls to 0.5", "decreases", _trend("impact_loss", -1.0, 4, steadily=False)
+    ),
     Statement(
         "5.2",
         "least cost of transport",
         f"≈ {COST_GAIN:+g} % at mu ≈ {BEST_FRICTION:g}",
         _best("cost_of_transport", COST_GAIN),
     ),
-    Statement("5.2", "cost of transport below mu = 0.5", "rises", _dearer),
-    Statement("5.2", "step length below mu = 0.5", "decreases", _shorter),
+    Statement(
+        "5.2",
+        "cost of transport below mu = 0.5",
+        "rises",
+        _trend("cost_of_transport", 1.0, 3, low=True, where=True),
+    ),
+    Statement("5.2", "step length below mu = 0.5", "decreases", _trend("length", -1.0, 1, low=True)),
     Statement("5.2", "work W below mu = 0.5", "rises, by the dissipation of slip", _work),
     Statement("5.3", "very small eigenvalues", "4 of 7, 1e-3 to 1e-5", _tiny_eigenvalues),
 )

@@ -46,6 +46,8 @@ REGIMES = (DEFAULT, CLAMPED, HEAVY, HUMAN)
 TABLE_1 = (DEFAULT.name, CLAMPED.name)
 """Names of the regimes of Table 1, one for each reading of the swing law."""
 ALL_BUT_HUMAN = (*TABLE_1, HEAVY.name)
+INFINITE = math.inf
+ALL = tuple(regime.name for regime in REGIMES)
 
 
 @dataclass(frozen=True)
@@ -132,16 +134,40 @@ def _number(cell: Cell | None) -> Estimate:
     return cell
 
 
-class Rows(dict[str, Row]):
-    """Rows by the name of their regime."""
+Rows = Mapping[str, Row]
+"""Rows by the name of their regime."""
+Condition = Callable[[Rows], bool]
+"""Says of the rows of a claim whether a part of it is true."""
 
-    def above(self, *names: str) -> bool:
-        """Whether the value's interval lies above that of the control in all of these regimes."""
-        return all(self[name].above for name in names)
 
-    def below(self, *names: str) -> bool:
-        """Whether the value's interval lies below that of the control in all of these regimes."""
-        return all(self[name].below for name in names)
+def above(*names: str) -> Condition:
+    """The value's interval lies above that of the control in these regimes."""
+    return lambda rows: all(rows[name].above for name in names)
+
+
+def below(*names: str) -> Condition:
+    """The value's interval lies below that of the control in these regimes."""
+    return lambda rows: all(rows[name].below for name in names)
+
+
+def none_above(*names: str) -> Condition:
+    """The value's interval lies above that of the control in none of these regimes."""
+    return lambda rows: not any(rows[name].above for name in names)
+
+
+def none_below(*names: str) -> Condition:
+    """The value's interval lies below that of the control in none of these regimes."""
+    return lambda rows: not any(rows[name].below for name in names)
+
+
+def between(low: float, high: float, *names: str) -> Condition:
+    """The value lies between two bounds in these regimes."""
+    return lambda rows: all(low < rows[name].number < high for name in names)
+
+
+def ratio(low: float, high: float, *names: str) -> Condition:
+    """The value over the control lies between two bounds in these regimes."""
+    return lambda rows: all(low < rows[name].ratio < high for name in names)
 
 
 @dataclass(frozen=True)
@@ -152,8 +178,13 @@ class Check:
     """Computes the value for a regime and a seed."""
     control: Measure | None
     """Computes the same quantity of the control; None if the claim compares nothing."""
-    holds: Callable[[Rows], bool]
-    """Whether the rows bear the claim out."""
+    conditions: tuple[Condition, ...]
+    """Conditions that the rows must all meet."""
+
+
+def check(measure: Measure, control: Measure | None, *conditions: Condition) -> Check:
+    """A check with its conditions."""
+    return Check(measure, control, conditions)
 
 
 @dataclass(frozen=True)

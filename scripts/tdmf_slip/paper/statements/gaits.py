@@ -17,27 +17,35 @@ from ...variables.table import FRICTION
 from .. import along
 from ..along import Swept
 from .claim import (
+    ALL,
     ALL_BUT_HUMAN,
     ANGLE,
     CLAMPED,
     DEFAULT,
     HEAVY,
     HUMAN,
+    INFINITE,
     SLIPS,
     STICKS,
     TABLE_1,
     THRUST,
     TORQUE,
     Check,
+    Condition,
     Estimate,
     Measure,
     Regime,
+    above,
+    below,
+    between,
     changed_to,
+    check,
     equal_to,
     gait,
     made_equal,
     matched,
     over_length,
+    ratio,
     remembered,
     solved,
     stride_quantity,
@@ -48,6 +56,7 @@ from .claim import (
 FRICTIONS = np.geomspace(STICKS, 0.1, 200)
 REFINED = 41
 """Frictions between the neighbours of the fastest gait."""
+NET, POSITIVE = "cost_of_transport", "positive_cost_of_transport"
 NEAR_OPTIMUM, LOW = 0.5, 0.25
 """Friction near which Table 1 runs fastest, and one at which every runner slips for most of its stance."""
 
@@ -78,13 +87,10 @@ def _over_sticking(quantity: str, of: Callable[[Regime], Gait]) -> Measure:
     return solved(change)
 
 
-def _as_it_comes(friction: float) -> Callable[[Regime], Gait]:
-    return lambda regime: gait(regime, friction)
-
-
-def _equal(friction: float) -> Callable[[Regime], Gait]:
-    """The runner on a friction with speed, apex height and leg angle of the one on friction 10."""
-    return lambda regime: matched(regime, STICKS, friction)
+def _cost_check(cost: str, friction: float, *conditions: Condition) -> Check:
+    """Change of a cost on a friction, unmatched, and matched to the runner on friction 10."""
+    value = _over_sticking(cost, lambda regime: gait(regime, friction))
+    return check(value, _over_sticking(cost, lambda regime: matched(regime, STICKS, friction)), *conditions)
 
 
 def _drop(regime: Regime) -> float:
@@ -105,64 +111,54 @@ def _at_40_degrees(friction: float) -> Measure:
 
 
 OVER_FRICTION_CHECKS = {
-    "fastest-friction": Check(
+    "fastest-friction": check(
         solved(lambda regime: fastest(regime).friction),
         None,
-        lambda rows: (
-            all(0.445 < rows[name].number < 0.5 for name in ALL_BUT_HUMAN) and rows["human"].number > 0.85
-        ),
+        between(0.445, 0.5, *ALL_BUT_HUMAN),
+        between(0.85, INFINITE, "human"),
     ),
-    "fastest-gain": Check(
+    "fastest-gain": check(
         _over_sticking("speed", fastest),
         None,
-        lambda rows: (
-            all(10.0 < rows[name].number < 13.0 for name in ALL_BUT_HUMAN)
-            and 0.0 <= rows["human"].number < 0.1
-        ),
+        between(10.0, 13.0, *ALL_BUT_HUMAN),
+        lambda rows: 0.0 <= rows["human"].number < 0.1,
     ),
-    "net-cost": Check(
-        _over_sticking("cost_of_transport", _as_it_comes(NEAR_OPTIMUM)),
-        _over_sticking("cost_of_transport", _equal(NEAR_OPTIMUM)),
-        lambda rows: (
-            all(rows[name].number < -15.0 and 0.0 < rows[name].ratio < 1.0 for name in ALL_BUT_HUMAN)
-            and rows["human"].number > 0.0 > rows["human"].ratio
-        ),
+    "net-cost": _cost_check(
+        NET,
+        NEAR_OPTIMUM,
+        between(-INFINITE, -15.0, *ALL_BUT_HUMAN),
+        ratio(0.0, 1.0, *ALL_BUT_HUMAN),
+        between(0.0, INFINITE, "human"),
+        ratio(-INFINITE, 0.0, "human"),
     ),
-    "positive-cost": Check(
-        _over_sticking("positive_cost_of_transport", _as_it_comes(NEAR_OPTIMUM)),
-        _over_sticking("positive_cost_of_transport", _equal(NEAR_OPTIMUM)),
-        lambda rows: all(row.number < 0.0 < row.ratio for row in rows.values()),
+    "positive-cost": _cost_check(
+        POSITIVE, NEAR_OPTIMUM, between(-INFINITE, 0.0, *ALL), ratio(0.0, INFINITE, *ALL)
     ),
-    "net-cost-slippery": Check(
-        _over_sticking("cost_of_transport", _as_it_comes(LOW)),
-        _over_sticking("cost_of_transport", _equal(LOW)),
-        lambda rows: (
-            all(rows[name].number < 0.0 < rows[name].ratio < 30.0 for name in ALL_BUT_HUMAN)
-            and rows["human"].number > 0.0 > rows["human"].ratio
-        ),
+    "net-cost-slippery": _cost_check(
+        NET,
+        LOW,
+        between(-INFINITE, 0.0, *ALL_BUT_HUMAN),
+        ratio(0.0, 30.0, *ALL_BUT_HUMAN),
+        between(0.0, INFINITE, "human"),
+        ratio(-INFINITE, 0.0, "human"),
     ),
-    "positive-cost-slippery": Check(
-        _over_sticking("positive_cost_of_transport", _as_it_comes(LOW)),
-        _over_sticking("positive_cost_of_transport", _equal(LOW)),
-        lambda rows: (
-            rows["default"].number < 0.0 < rows["clamp"].number
-            and rows["default"].ratio < 0.0 < rows["clamp"].ratio
-            and rows["human"].number < 0.0 < rows["human"].ratio
-        ),
+    "positive-cost-slippery": _cost_check(
+        POSITIVE,
+        LOW,
+        between(-INFINITE, 0.0, "default", "human"),
+        between(0.0, INFINITE, "clamp"),
+        ratio(-INFINITE, 0.0, "default"),
+        ratio(0.0, INFINITE, "clamp", "human"),
     ),
-    "eigenvalues-rise": Check(
+    "eigenvalues-rise": check(
         solved(_drop),
         None,
-        lambda rows: (
-            all(rows[name].number < 0.001 for name in TABLE_1)
-            and all(rows[name].number > 0.01 for name in ("heavy", "human"))
-        ),
+        between(-INFINITE, 0.001, *TABLE_1),
+        between(0.01, INFINITE, "heavy", "human"),
     ),
-    "heavy-sticks": Check(
-        _at_40_degrees(STICKS), None, lambda rows: all(rows[name].number > 1.0 for name in TABLE_1)
-    ),
-    "heavy-slips": Check(
-        _at_40_degrees(0.3), None, lambda rows: rows["clamp"].number < 1.0 < rows["default"].number
+    "heavy-sticks": check(_at_40_degrees(STICKS), None, between(1.0, INFINITE, *TABLE_1)),
+    "heavy-slips": check(
+        _at_40_degrees(0.3), None, between(-INFINITE, 1.0, "clamp"), between(1.0, INFINITE, "default")
     ),
 }
 
@@ -194,21 +190,21 @@ def _equal_to_falling(regime: Regime) -> Gait:
 
 
 FALLING_CHECKS = {
-    "falling-speed": Check(
+    "falling-speed": check(
         stride_quantity(_falling, "speed"),
         stride_quantity(_static, "speed"),
-        lambda rows: rows.above(*ALL_BUT_HUMAN) and rows.below("human"),
+        above(*ALL_BUT_HUMAN),
+        below("human"),
     ),
-    "falling-cost": Check(
-        stride_quantity(_falling, "cost_of_transport"),
-        stride_quantity(_equal_to_falling, "cost_of_transport"),
-        lambda rows: rows.below(*rows),
-    ),
-    "falling-positive-cost": Check(
-        stride_quantity(_falling, "positive_cost_of_transport"),
-        stride_quantity(_equal_to_falling, "positive_cost_of_transport"),
-        lambda rows: rows.below(*rows),
-    ),
+    **{
+        name: check(
+            stride_quantity(_falling, quantity), stride_quantity(_equal_to_falling, quantity), below(*ALL)
+        )
+        for name, quantity in (
+            ("falling-cost", NET),
+            ("falling-positive-cost", POSITIVE),
+        )
+    },
 }
 
 
@@ -293,31 +289,27 @@ def slowed(friction: float, reference: float | None = None) -> Measure:
 
 
 SLOPES_CHECKS = {
-    "slope-speed": Check(
-        slowed(SLIPS),
-        slowed(STICKS, SLIPS),
-        lambda rows: rows.below(*ALL_BUT_HUMAN) and rows["human"].number > 1.0,
+    "slope-speed": check(
+        slowed(SLIPS), slowed(STICKS, SLIPS), below(*ALL_BUT_HUMAN), between(1.0, INFINITE, "human")
     ),
-    "slope-steepest": Check(steepest(SLIPS), steepest(STICKS), lambda rows: rows.above(*rows)),
-    "slope-top-speed": Check(
+    "slope-steepest": check(steepest(SLIPS), steepest(STICKS), above(*ALL)),
+    "slope-top-speed": check(
         at_the_top("speed", SLIPS),
         stride_quantity(lambda regime: gait(regime, SLIPS), "speed"),
-        lambda rows: rows["default"].ratio < 0.05 and rows["clamp"].ratio < 0.25,
+        ratio(-INFINITE, 0.05, "default"),
+        ratio(-INFINITE, 0.25, "clamp"),
     ),
-    "slope-stable": Check(
-        stable_to(SLIPS), stable_to(STICKS), lambda rows: rows.above("default") and rows.below("clamp")
+    "slope-stable": check(stable_to(SLIPS), stable_to(STICKS), above("default"), below("clamp")),
+    "slope-stable-matched": check(
+        stable_to(SLIPS), stable_to(STICKS, None, SLIPS), ratio(1.0, 1.4, "default")
     ),
-    "slope-stable-matched": Check(
-        stable_to(SLIPS), stable_to(STICKS, None, SLIPS), lambda rows: 1.0 < rows["default"].ratio < 1.4
-    ),
-    "slope-flat": Check(
+    "slope-flat": check(
         stable_to(SLIPS, FLAT),
         stable_to(STICKS, FLAT),
-        lambda rows: all(rows.above(name) and rows[name].number > 11.2 for name in ALL_BUT_HUMAN),
+        above(*ALL_BUT_HUMAN),
+        between(11.2, INFINITE, *ALL_BUT_HUMAN),
     ),
-    "slope-flat-0.6": Check(
-        steepest(0.6, FLAT), steepest(SLIPS, FLAT), lambda rows: rows.below("default") and rows.above("clamp")
-    ),
+    "slope-flat-0.6": check(steepest(0.6, FLAT), steepest(SLIPS, FLAT), below("default"), above("clamp")),
 }
 
 
@@ -364,29 +356,19 @@ def _by_way(of: Callable[[Regime], Gait]) -> Measure:
 
 
 THRUST_CHECKS = {
-    "thrust-slip": Check(_by_way(by_thrust), _by_way(by_torque), lambda rows: rows.below(*TABLE_1)),
-    "thrust-slip-stride": Check(
-        over_length(by_thrust, "slip_distance"),
-        over_length(by_torque, "slip_distance"),
-        lambda rows: rows.above(*TABLE_1),
+    "thrust-slip": check(_by_way(by_thrust), _by_way(by_torque), below(*TABLE_1)),
+    "thrust-slip-stride": check(
+        over_length(by_thrust, "slip_distance"), over_length(by_torque, "slip_distance"), above(*TABLE_1)
     ),
-    "thrust-height": Check(
-        over_length(by_thrust, "apex_height"),
-        over_length(by_torque, "apex_height"),
-        lambda rows: rows.above(*TABLE_1),
+    "thrust-height": check(
+        over_length(by_thrust, "apex_height"), over_length(by_torque, "apex_height"), above(*TABLE_1)
     ),
-    "thrust-slip-matched": Check(
-        _by_way(as_high), _by_way(by_torque), lambda rows: rows.above(*TABLE_1, "heavy")
+    "thrust-slip-matched": check(_by_way(as_high), _by_way(by_torque), above(*ALL_BUT_HUMAN)),
+    "thrust-cost-matched": check(
+        stride_quantity(as_high, NET), stride_quantity(by_torque, NET), below(*ALL_BUT_HUMAN)
     ),
-    "thrust-cost-matched": Check(
-        stride_quantity(as_high, "cost_of_transport"),
-        stride_quantity(by_torque, "cost_of_transport"),
-        lambda rows: rows.below(*TABLE_1, "heavy"),
-    ),
-    "thrust-positive-cost-matched": Check(
-        stride_quantity(as_high, "positive_cost_of_transport"),
-        stride_quantity(by_torque, "positive_cost_of_transport"),
-        lambda rows: rows.below(*TABLE_1, "heavy"),
+    "thrust-positive-cost-matched": check(
+        stride_quantity(as_high, POSITIVE), stride_quantity(by_torque, POSITIVE), below(*ALL_BUT_HUMAN)
     ),
 }
 
@@ -395,7 +377,6 @@ THRUST_CHECKS = {
 
 SLIPPERY, BETWEEN = 0.3, 0.85
 """Frictions at which the runner of least net work slips for most of its stance, and for some of it."""
-NET, POSITIVE = "cost_of_transport", "positive_cost_of_transport"
 SPEED, RADIUS = 0.8, 0.95
 BOUNDS: Mapping[str, tuple[float, float]] = {ANGLE: (0.3, 1.1), TORQUE: (0.0, 0.6), THRUST: (0.0, 0.4)}
 HUMAN_SPEED, HUMAN_RADIUS = 2.5, 0.975
@@ -432,33 +413,27 @@ def _slip(regime: Regime) -> float:
 
 
 OPTIMA_CHECKS = {
-    "optimal-net": Check(
+    "optimal-net": check(
         _cost(SLIPPERY, NET, NET),
         _cost(STICKS, NET, NET),
-        lambda rows: (
-            all(0.78 < rows[name].ratio < 0.84 for name in ALL_BUT_HUMAN) and 0.95 < rows["human"].ratio < 1.0
-        ),
+        ratio(0.78, 0.84, *ALL_BUT_HUMAN),
+        ratio(0.95, 1.0, "human"),
     ),
-    "optimal-slip": Check(
-        solved(_slip), None, lambda rows: all(0.5 < row.number < 2.5 for row in rows.values())
+    "optimal-slip": check(solved(_slip), None, between(0.5, 2.5, *ALL)),
+    "optimal-net-positive": check(
+        _cost(SLIPPERY, NET, POSITIVE), _cost(STICKS, POSITIVE, POSITIVE), ratio(1.04, INFINITE, *TABLE_1)
     ),
-    "optimal-net-positive": Check(
-        _cost(SLIPPERY, NET, POSITIVE),
-        _cost(STICKS, POSITIVE, POSITIVE),
-        lambda rows: all(rows[name].ratio > 1.04 for name in TABLE_1),
-    ),
-    "optimal-positive": Check(
+    "optimal-positive": check(
         _cost(BETWEEN, POSITIVE, POSITIVE),
         _cost(STICKS, POSITIVE, POSITIVE),
-        lambda rows: (
-            all(0.97 < rows[name].ratio < 0.985 for name in ALL_BUT_HUMAN)
-            and 0.99 < rows["human"].ratio < 1.0
-        ),
+        ratio(0.97, 0.985, *ALL_BUT_HUMAN),
+        ratio(0.99, 1.0, "human"),
     ),
-    "optimal-positive-slippery": Check(
+    "optimal-positive-slippery": check(
         _cost(SLIPPERY, POSITIVE, POSITIVE),
         _cost(STICKS, POSITIVE, POSITIVE),
-        lambda rows: rows["default"].ratio < 1.0 < rows["clamp"].ratio,
+        ratio(-INFINITE, 1.0, "default"),
+        ratio(1.0, INFINITE, "clamp"),
     ),
 }
 

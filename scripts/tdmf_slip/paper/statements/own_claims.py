@@ -41,7 +41,7 @@ class Recomputed:
     def holds(self) -> bool:
         """Whether the claim is true; false if it needs a number that does not exist."""
         try:
-            return self.claim.check.holds(self.rows)
+            return all(holds(self.rows) for holds in self.claim.check.conditions)
         except RunError:
             return False
 
@@ -63,7 +63,7 @@ class Recomputed:
         """The claim with stored numbers."""
         regimes = stored["regimes"].items()
         rows = {name: Row(_read(cells["value"]), _read(cells["control"])) for name, cells in regimes}
-        return cls(claim, Rows(rows))
+        return cls(claim, rows)
 
 
 def _plain(cell: Cell | None) -> object:
@@ -115,7 +115,7 @@ def own_claims(
     found = []
     with progress_bar("claims", len(chosen), "claims", progress) as bar:
         for claim in chosen:
-            rows = Rows({regime.name: claim.row(regime, seed) for regime in REGIMES})
+            rows = {regime.name: claim.row(regime, seed) for regime in REGIMES}
             found.append(Recomputed(claim, rows))
             bar.update()
     return OwnClaims(seed, found)

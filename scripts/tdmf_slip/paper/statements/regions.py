@@ -23,21 +23,29 @@ from ...library.section import COORDINATES
 from ...variables.table import FRICTION
 from ...viable_sets.viability import viability
 from .claim import (
+    ALL,
     ALL_BUT_HUMAN,
     ANGLE,
     HEAVY,
     HUMAN,
+    INFINITE,
     SLIPS,
     STICKS,
     TABLE_1,
     TORQUE,
-    Check,
     Estimate,
     Measure,
     Regime,
+    above,
+    below,
+    between,
+    check,
     equal_to,
     gait,
     made_equal,
+    none_above,
+    none_below,
+    ratio,
     remembered,
     solved,
     stable_gait,
@@ -115,25 +123,20 @@ def largest(
 
 
 ATTRACTION_CHECKS = {
-    "attraction": Check(
+    "attraction": check(
         share(STICKS),
         share(SLIPS, STICKS),
-        lambda rows: rows.below(*TABLE_1) and rows[HEAVY.name].ratio < 0.5 and not rows.below(HUMAN.name),
+        below(*TABLE_1),
+        ratio(-INFINITE, 0.5, HEAVY.name),
+        none_below(HUMAN.name),
     ),
-    "attraction-light": Check(
-        _light_share, _light_control, lambda rows: all(0.9 < rows[name].ratio < 1.0 for name in TABLE_1)
-    ),
-    "push-forward": Check(
-        largest("push_forward", STICKS),
-        largest("push_forward", SLIPS, STICKS),
-        lambda rows: rows.below(*TABLE_1),
-    ),
-    "step-up": Check(
-        largest("step_up", STICKS), largest("step_up", SLIPS, STICKS), lambda rows: rows.below(*TABLE_1)
-    ),
-    "step-down": Check(
-        largest("step_down", STICKS), largest("step_down", SLIPS, STICKS), lambda rows: rows.below(*TABLE_1)
-    ),
+    "attraction-light": check(_light_share, _light_control, ratio(0.9, 1.0, *TABLE_1)),
+    **{
+        disturbance.replace("_", "-"): check(
+            largest(disturbance, STICKS), largest(disturbance, SLIPS, STICKS), below(*TABLE_1)
+        )
+        for disturbance in ("push_forward", "step_up", "step_down")
+    },
 }
 
 
@@ -180,15 +183,9 @@ _viable_actions = _enclosed(
 )
 
 VIABLE_CHECKS = {
-    "viable": Check(
-        _viable_share(SLIPS), _viable_share(STICKS, SLIPS), lambda rows: rows.above(*ALL_BUT_HUMAN)
-    ),
-    "viable-angles": Check(
-        _viable_actions(SLIPS), _viable_actions(STICKS, SLIPS), lambda rows: rows.below(*TABLE_1)
-    ),
-    "viable-angles-between": Check(
-        _viable_actions(1.2, SLIPS), _viable_actions(SLIPS), lambda rows: rows.above(*TABLE_1)
-    ),
+    "viable": check(_viable_share(SLIPS), _viable_share(STICKS, SLIPS), above(*ALL_BUT_HUMAN)),
+    "viable-angles": check(_viable_actions(SLIPS), _viable_actions(STICKS, SLIPS), below(*TABLE_1)),
+    "viable-angles-between": check(_viable_actions(1.2, SLIPS), _viable_actions(SLIPS), above(*TABLE_1)),
 }
 
 
@@ -257,35 +254,29 @@ def _retracted(model: str) -> Measure:
 
 
 REDUCED_CHECKS = {
-    "reduced-words": Check(
-        solved(_same_words), None, lambda rows: all(rows[name].number > 0.99 for name in TABLE_1)
-    ),
-    "reduced-speed": Check(
+    "reduced-words": check(solved(_same_words), None, between(0.99, INFINITE, *TABLE_1)),
+    "reduced-speed": check(
         _percent_of("speed"),
         None,
-        lambda rows: all(rows[name].number < 0.1 for name in TABLE_1) and rows["heavy"].number < 3.0,
+        between(-INFINITE, 0.1, *TABLE_1),
+        between(-INFINITE, 3.0, "heavy"),
     ),
-    "reduced-period": Check(
-        _percent_of("period"), None, lambda rows: all(rows[name].number < 1.1 for name in TABLE_1)
+    "reduced-period": check(_percent_of("period"), None, between(-INFINITE, 1.1, *TABLE_1)),
+    "reduced-largest": check(_eigenvalue(0), None, between(-INFINITE, 2e-3, *TABLE_1)),
+    "reduced-second": check(
+        _eigenvalue(1), None, between(-INFINITE, 0.07, "clamp"), between(0.07, 0.13, "default")
     ),
-    "reduced-largest": Check(
-        _eigenvalue(0), None, lambda rows: all(rows[name].number < 2e-3 for name in TABLE_1)
-    ),
-    "reduced-second": Check(
-        _eigenvalue(1), None, lambda rows: rows["clamp"].number < 0.07 < rows["default"].number < 0.13
-    ),
-    "reduced-retraction": Check(
+    "reduced-retraction": check(
         _retracted("full"),
         _retracted("reduced"),
-        lambda rows: rows["default"].ratio < 0.0 < rows["clamp"].ratio,
+        ratio(-INFINITE, 0.0, "default"),
+        ratio(0.0, INFINITE, "clamp"),
     ),
-    "reduced-falls": Check(
+    "reduced-falls": check(
         _only("full", "reduced"),
         _only("reduced", "full"),
-        lambda rows: (
-            all(rows[name].ratio > 1.0 for name in TABLE_1)
-            and all(rows[name].ratio < 1.0 for name in ("heavy", "human"))
-        ),
+        ratio(1.0, INFINITE, *TABLE_1),
+        ratio(-INFINITE, 1.0, "heavy", "human"),
     ),
 }
 
@@ -343,40 +334,35 @@ def _strides(friction: float, design: Design | None = None, reference: float | N
 
 
 FEEDBACK_CHECKS = {
-    "feedback-strides": Check(
+    "feedback-strides": check(
         _strides(MODERATE, regulator),
         _strides(MODERATE),
-        lambda rows: (
-            rows["clamp"].ratio > 10.0 and not any(rows.above(name) for name in ("default", "human"))
-        ),
+        ratio(10.0, INFINITE, "clamp"),
+        none_above("default", "human"),
     ),
-    "feedback-without": Check(
+    "feedback-without": check(
         largest("step_up", MODERATE),
         foot("foot_clearance", MODERATE),
-        lambda rows: rows["default"].ratio > 0.95 and rows["clamp"].ratio < 0.8,
+        ratio(0.95, INFINITE, "default"),
+        ratio(-INFINITE, 0.8, "clamp"),
     ),
-    "feedback-with": Check(
+    "feedback-with": check(
         largest("step_up", MODERATE, design=regulator),
         foot("foot_clearance", MODERATE),
-        lambda rows: all(0.95 < rows[name].ratio < 1.01 for name in TABLE_1),
+        ratio(0.95, 1.01, *TABLE_1),
     ),
-    "feedback-matched": Check(
-        _strides(MODERATE, reference=SLIPS), _strides(MODERATE), lambda rows: rows.above(*rows)
+    "feedback-matched": check(_strides(MODERATE, reference=SLIPS), _strides(MODERATE), above(*ALL)),
+    "feedback-dead-beat": check(
+        _strides(SLIPPERY, dead_beat_law), _strides(SLIPPERY), above("default"), none_above("clamp")
     ),
-    "feedback-dead-beat": Check(
-        _strides(SLIPPERY, dead_beat_law),
-        _strides(SLIPPERY),
-        lambda rows: rows.above("default") and not rows.above("clamp"),
-    ),
-    "feedback-step-down": Check(
+    "feedback-step-down": check(
         largest("step_down", STICKS, design=regulator),
         largest("step_down", STICKS),
-        lambda rows: rows.above(*TABLE_1) and rows.below("heavy"),
+        above(*TABLE_1),
+        below("heavy"),
     ),
-    "feedback-attraction": Check(
-        share(STICKS, design=regulator),
-        share(STICKS),
-        lambda rows: rows.above(*TABLE_1) and rows.below("heavy"),
+    "feedback-attraction": check(
+        share(STICKS, design=regulator), share(STICKS), above(*TABLE_1), below("heavy")
     ),
 }
 

@@ -13,22 +13,29 @@ from ...library.ground import RoughGround, correlated_weights
 from ...library.runner import Runner
 from ..matched import falls_on_patch
 from .claim import (
+    ALL,
     ALL_BUT_HUMAN,
     ANGLE,
+    INFINITE,
     SLIPS,
     STICKS,
     TABLE_1,
     TORQUE,
-    Check,
     Estimate,
     Measure,
     Regime,
+    above,
+    below,
     changed_to,
+    check,
     equal_to,
     gait,
     made_equal,
     matched,
+    none_above,
+    none_below,
     over_length,
+    ratio,
     remembered,
     solved,
     stable_gait,
@@ -97,52 +104,42 @@ def foot(quantity: str, friction: float, reference: float | None = None) -> Meas
 
 
 ROUGH_CHECKS = {
-    "steps-as-they-come": Check(strides(SLIPS, LOW), strides(STICKS, LOW), lambda rows: rows.above(*rows)),
-    "clearance": Check(
-        foot("foot_clearance", SLIPS), foot("foot_clearance", STICKS), lambda rows: rows.above(*rows)
-    ),
-    "steps-matched": Check(
+    "steps-as-they-come": check(strides(SLIPS, LOW), strides(STICKS, LOW), above(*ALL)),
+    "clearance": check(foot("foot_clearance", SLIPS), foot("foot_clearance", STICKS), above(*ALL)),
+    "steps-matched": check(
         strides(SLIPS, LOW),
         strides(STICKS, LOW, SLIPS),
-        lambda rows: (
-            rows.above("default")
-            and rows["default"].ratio > 5.0
-            and rows.above("heavy")
-            and not rows.above("clamp")
-        ),
+        above("default", "heavy"),
+        ratio(5.0, INFINITE, "default"),
+        none_above("clamp"),
     ),
-    "steps-matched-0.6": Check(
-        strides(0.6, LOW), strides(STICKS, LOW, 0.6), lambda rows: rows.above("default", "heavy")
+    "steps-matched-0.6": check(strides(0.6, LOW), strides(STICKS, LOW, 0.6), above("default", "heavy")),
+    "steps-matched-to-sticking": check(
+        strides(SLIPS, LOW, STICKS), strides(STICKS, LOW), above("default", "heavy"), none_above("clamp")
     ),
-    "steps-matched-to-sticking": Check(
-        strides(SLIPS, LOW, STICKS),
-        strides(STICKS, LOW),
-        lambda rows: rows.above("default", "heavy") and not rows.above("clamp"),
-    ),
-    "steps-foot-height": Check(
+    "steps-foot-height": check(
         foot("greatest_foot_height", SLIPS),
         foot("greatest_foot_height", STICKS, SLIPS),
-        lambda rows: rows.below("default", "heavy"),
+        below("default", "heavy"),
     ),
-    "steps-that-trip": Check(
+    "steps-that-trip": check(
         strides(SLIPS, LOW, trips=True),
         strides(STICKS, LOW, SLIPS, trips=True),
-        lambda rows: rows["default"].ratio < 2.0 and rows["heavy"].ratio < 2.0,
+        ratio(-INFINITE, 2.0, "default", "heavy"),
     ),
-    "steps-rare": Check(
-        rarely,
-        strides(STICKS, LOWER, SLIPS),
-        lambda rows: rows.above("default") and rows["default"].ratio > 10.0,
+    "steps-rare": check(
+        rarely, strides(STICKS, LOWER, SLIPS), above("default"), ratio(10.0, INFINITE, "default")
     ),
-    "steps-correlated": Check(
+    "steps-correlated": check(
         strides(SLIPS, LOW, correlation=CORRELATION),
         strides(STICKS, LOW, SLIPS, correlation=CORRELATION),
-        lambda rows: rows.above("default", "heavy") and not rows.above("clamp"),
+        above("default", "heavy"),
+        none_above("clamp"),
     ),
-    "segments": Check(
+    "segments": check(
         strides(SLIPS, LOW, segment=SEGMENT),
         strides(STICKS, LOW, SLIPS, segment=SEGMENT),
-        lambda rows: rows.above("default", "heavy"),
+        above("default", "heavy"),
     ),
 }
 
@@ -185,13 +182,14 @@ grippy_downhill = share_that_falls(lambda regime: on_slope(regime, GRIPPY_GROUND
 slippery_downhill = share_that_falls(lambda regime: on_slope(regime, SLIPPERY_GROUND, SLOPE))
 
 PATCHES_CHECKS = {
-    "patch-level": Check(
+    "patch-level": check(
         share_that_falls(lambda regime: on_slope(regime, GRIPPY_GROUND, 0.0)),
         grippy_downhill,
-        lambda rows: rows.below(*TABLE_1) and all(rows[name].number == 1.0 for name in ("heavy", "human")),
+        below(*TABLE_1),
+        lambda rows: all(rows[name].number == 1.0 for name in ("heavy", "human")),
     ),
-    "patch-downhill": Check(grippy_downhill, slippery_downhill, lambda rows: rows.above(*TABLE_1)),
-    "patch-matched": Check(share_that_falls(as_fast), slippery_downhill, lambda rows: rows.above(*TABLE_1)),
+    "patch-downhill": check(grippy_downhill, slippery_downhill, above(*TABLE_1)),
+    "patch-matched": check(share_that_falls(as_fast), slippery_downhill, above(*TABLE_1)),
 }
 
 
@@ -257,39 +255,21 @@ def strides_of(which: Which) -> Measure:
 
 
 RETRACTION_CHECKS = {
-    "retraction-height": Check(
-        height(retracting, STICKS),
-        height(plain, STICKS),
-        lambda rows: rows.above("default") and rows.below("clamp"),
+    "retraction-height": check(
+        height(retracting, STICKS), height(plain, STICKS), above("default"), below("clamp")
     ),
-    "retraction-height-slips": Check(
-        height(retracting, SLIPS), height(plain, SLIPS), lambda rows: rows.below("default", "clamp")
+    "retraction-height-slips": check(height(retracting, SLIPS), height(plain, SLIPS), below(*TABLE_1)),
+    "retraction-height-flat": check(
+        height(retracting, STICKS, FLAT), height(plain, STICKS, FLAT), below(*TABLE_1)
     ),
-    "retraction-height-flat": Check(
-        height(retracting, STICKS, FLAT),
-        height(plain, STICKS, FLAT),
-        lambda rows: rows.below("default", "clamp"),
+    "retraction-height-matched": check(height(equal, STICKS), height(plain, STICKS), below(*TABLE_1)),
+    "retraction-height-matched-0.6": check(height(equal, 0.6), height(plain, 0.6), below(*TABLE_1)),
+    "retraction-height-matched-0.2": check(height(equal, SLIPS), height(plain, SLIPS), below(*TABLE_1)),
+    "retraction-steps": check(strides_of(retracting), strides_of(plain), below(*TABLE_1)),
+    "retraction-steps-matched": check(
+        strides_of(equal), strides_of(plain), below(*TABLE_1), none_below("heavy")
     ),
-    "retraction-height-matched": Check(
-        height(equal, STICKS), height(plain, STICKS), lambda rows: rows.below("default", "clamp")
-    ),
-    "retraction-height-matched-0.6": Check(
-        height(equal, 0.6), height(plain, 0.6), lambda rows: rows.below("default", "clamp")
-    ),
-    "retraction-height-matched-0.2": Check(
-        height(equal, SLIPS), height(plain, SLIPS), lambda rows: rows.below("default", "clamp")
-    ),
-    "retraction-steps": Check(
-        strides_of(retracting), strides_of(plain), lambda rows: rows.below("default", "clamp")
-    ),
-    "retraction-steps-matched": Check(
-        strides_of(equal),
-        strides_of(plain),
-        lambda rows: rows.below("default", "clamp") and not rows.below("heavy"),
-    ),
-    "retraction-slip-matched": Check(
-        slip(equal), slip(plain), lambda rows: all(rows[name].ratio < 1.0 for name in ALL_BUT_HUMAN)
-    ),
+    "retraction-slip-matched": check(slip(equal), slip(plain), ratio(-INFINITE, 1.0, *ALL_BUT_HUMAN)),
 }
 
 CHECKS = {"rough": ROUGH_CHECKS, "patches": PATCHES_CHECKS, "retraction": RETRACTION_CHECKS}
