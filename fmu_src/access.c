@@ -6,18 +6,13 @@
 static const unsigned writable = BEFORE_START | RUNNING;
 
 static const char *name_of_type(fmu_variable_type type) {
-    switch (type) {
-    case VARIABLE_REAL:
-        return "Real (Float64)";
-    case VARIABLE_INTEGER:
-        return "Integer (Int32)";
-    case VARIABLE_ENUMERATION:
-        return "Enumeration";
-    case VARIABLE_BOOLEAN:
-        return "Boolean";
-    default:
-        return "String";
+    static const char *const names[] = {"Real (Float64)", "Integer (Int32)", "Enumeration", "Boolean",
+                                        "String"};
+    int number = 0;
+    while (type >> number > 1) {
+        ++number;
     }
+    return names[number];
 }
 
 const fmu_variable *find_variable(const instance *instance, const char *call, uint32_t reference,
@@ -35,13 +30,6 @@ const fmu_variable *find_variable(const instance *instance, const char *call, ui
     return variable;
 }
 
-static bool may_begin(const instance *instance, const char *call, unsigned states,
-                      const uint32_t references[], const void *values, size_t count) {
-    return call_is_allowed(instance, call, states) &&
-           array_is_given(instance, call, references, count, count) &&
-           array_is_given(instance, call, values, count, count);
-}
-
 void write_double(void *values, size_t i, double number) {
     ((double *)values)[i] = number;
 }
@@ -51,12 +39,6 @@ double read_double(const void *values, size_t i) {
 }
 
 /* ---- getting ------------------------------------------------------------------------------------------ */
-
-static bool is_stored(const fmu_variable *variable) {
-    return variable->storage == STORED_TIME || variable->storage == STORED_PARAMETER ||
-           variable->storage == STORED_SETTING || variable->storage == STORED_INPUT ||
-           variable->storage == STORED_START || variable->storage == STORED_STATE;
-}
 
 /* Whether this is a state without a start value, before the run: the start calculates it. */
 static bool follows_from_start(const instance *instance, const fmu_variable *variable) {
@@ -71,7 +53,8 @@ static call_status get_number(instance *instance, const char *call, unsigned typ
     }
     call_status status = CALL_OK;
     const bool calculated = follows_from_start(instance, variable);
-    const fmu_view *view = is_stored(variable) && !calculated ? NULL : current_view(instance, call, &status);
+    const fmu_view *view =
+        variable->storage <= STORED_START && !calculated ? NULL : current_view(instance, call, &status);
     if (status == CALL_OK) {
         *value = calculated ? view->states[variable->offset] : fmu_get_number(&instance->fmu, view, variable);
     }
@@ -81,7 +64,7 @@ static call_status get_number(instance *instance, const char *call, unsigned typ
 call_status get_numbers(instance *instance, const char *call, unsigned types, const uint32_t references[],
                         size_t count, void *values, number_writer write) {
     call_status status =
-        may_begin(instance, call, ANYWHERE, references, values, count) ? CALL_OK : CALL_ERROR;
+        MAY_BEGIN(instance, call, ANYWHERE, count, references, values) ? CALL_OK : CALL_ERROR;
     for (size_t i = 0; i < count && status == CALL_OK; ++i) {
         double value = 0.0;
         status = get_number(instance, call, types, references[i], &value);
@@ -95,7 +78,7 @@ call_status get_numbers(instance *instance, const char *call, unsigned types, co
 call_status get_texts(instance *instance, const char *call, const uint32_t references[], size_t count,
                       const char *values[]) {
     call_status status =
-        may_begin(instance, call, ANYWHERE, references, values, count) ? CALL_OK : CALL_ERROR;
+        MAY_BEGIN(instance, call, ANYWHERE, count, references, values) ? CALL_OK : CALL_ERROR;
     for (size_t i = 0; i < count && status == CALL_OK; ++i) {
         const fmu_variable *variable = find_variable(instance, call, references[i], VARIABLE_STRING);
         const fmu_view *view = variable == NULL ? NULL : current_view(instance, call, &status);
@@ -165,7 +148,7 @@ static call_status check_set(const instance *instance, const char *call, unsigne
 }
 
 static void try_state(fmu *fmu, size_t index, double value) {
-    double states[FMU_STATE_COUNT + 1];
+    double states[UNIT_CONTINUOUS_COUNT + 1];
     fmu_states(fmu, NULL, states);
     states[index] = value;
     fmu_try_states(fmu, states);
@@ -195,7 +178,7 @@ static call_status set_number(instance *instance, const char *call, uint32_t ref
 call_status set_numbers(instance *instance, const char *call, unsigned types, const uint32_t references[],
                         size_t count, const void *values, number_reader read) {
     call_status status =
-        may_begin(instance, call, writable, references, values, count) ? CALL_OK : CALL_ERROR;
+        MAY_BEGIN(instance, call, writable, count, references, values) ? CALL_OK : CALL_ERROR;
     for (size_t i = 0; i < count && status == CALL_OK; ++i) {
         status = check_set(instance, call, types, references[i], read(values, i));
     }
@@ -211,7 +194,7 @@ call_status set_numbers(instance *instance, const char *call, unsigned types, co
 
 call_status set_texts(instance *instance, const char *call, const uint32_t references[], size_t count,
                       const char *const values[]) {
-    if (!may_begin(instance, call, writable, references, values, count)) {
+    if (!MAY_BEGIN(instance, call, writable, count, references, values)) {
         return CALL_ERROR;
     }
     for (size_t i = 0; i < count; ++i) {

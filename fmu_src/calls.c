@@ -28,11 +28,9 @@ void *instance_new(size_t size, const char *name, const char *token, interface_k
     const size_t length = strlen(name) + 1;
     instance *made = calloc(1, size);
     char *copy = malloc(length);
-    double *memory = malloc(instant_size() * sizeof *memory);
-    if (made == NULL || copy == NULL || memory == NULL) {
+    if (made == NULL || copy == NULL || allocate_memory(&made->fmu) == NULL) {
         free(made);
         free(copy);
-        free(memory);
         *reason = "out of memory";
         return NULL;
     }
@@ -40,7 +38,6 @@ void *instance_new(size_t size, const char *name, const char *token, interface_k
     made->name = copy;
     made->interface = interface;
     made->log_categories = logging ? LOG_ALL : 0;
-    made->fmu.memory = memory;
     made->fmu.is_exchange = interface == MODEL_EXCHANGE;
     begin_again(made);
     return made;
@@ -57,22 +54,18 @@ void instance_free(instance *instance) {
 /* ---- checks -------------------------------------------------------------------------------------------- */
 
 const char *name_of_state(call_state state) {
-    switch (state) {
-    case INSTANTIATED:
-        return "before initialization";
-    case INITIALIZATION_MODE:
-        return "in initialization mode";
-    case EVENT_MODE:
-        return "in event mode";
-    case CONTINUOUS_TIME_MODE:
-        return "in continuous-time mode";
-    case STEP_MODE:
-        return "between steps of Co-Simulation";
-    case TERMINATED:
-        return "after termination";
-    default:
-        return "after an error; reset or free the instance";
+    static const char *const names[] = {"before initialization",
+                                        "in initialization mode",
+                                        "in event mode",
+                                        "in continuous-time mode",
+                                        "between steps of Co-Simulation",
+                                        "after termination",
+                                        "after an error; reset or free the instance"};
+    int number = 0;
+    while (state >> number > 1) {
+        ++number;
     }
+    return names[number];
 }
 
 bool state_suits_interface(unsigned state, interface_kind interface, bool begun) {
@@ -106,6 +99,15 @@ bool array_is_given(const instance *instance, const char *call, const void *arra
         return false;
     }
     return true;
+}
+
+bool call_may_begin(const instance *instance, const char *call, unsigned allowed_states, size_t count,
+                    const void *const arrays[], size_t array_count) {
+    bool may = call_is_allowed(instance, call, allowed_states);
+    for (size_t i = 0; i < array_count && may; ++i) {
+        may = array_is_given(instance, call, arrays[i], count, count);
+    }
+    return may;
 }
 
 /* ---- the view ------------------------------------------------------------------------------------------ */

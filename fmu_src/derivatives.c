@@ -20,34 +20,26 @@ static bool is_unknown(const fmu_variable *variable) {
            variable->storage == STORED_OUTPUT || variable->storage == STORED_HELD;
 }
 
-static bool are_known(const instance *instance, const char *call, const uint32_t knowns[], size_t count) {
-    for (size_t i = 0; i < count; ++i) {
-        const fmu_variable *variable = find_variable(instance, call, knowns[i], VARIABLE_REAL);
-        if (variable == NULL) {
-            return false;
-        }
-        if (!is_known(instance, variable)) {
-            answer(instance, CALL_ERROR, call, "%s is neither a state nor an input nor tunable%s",
-                   variable->name, variable->settable_before_start ? ", and the run has begun" : "");
-            return false;
-        }
-    }
-    return true;
-}
+typedef struct {
+    const uint32_t *references;
+    size_t count;
+} variable_list;
 
-static bool are_unknown(const instance *instance, const char *call, const uint32_t unknowns[], size_t count) {
-    for (size_t i = 0; i < count; ++i) {
-        const fmu_variable *variable = find_variable(instance, call, unknowns[i], VARIABLE_REAL);
+static bool are_suitable(const instance *instance, const char *call, variable_list list, bool as_known) {
+    bool suit = array_is_given(instance, call, list.references, list.count, list.count);
+    for (size_t i = 0; i < list.count && suit; ++i) {
+        const fmu_variable *variable = find_variable(instance, call, list.references[i], VARIABLE_REAL);
         if (variable == NULL) {
             return false;
         }
-        if (!is_unknown(variable)) {
-            answer(instance, CALL_ERROR, call, "%s is neither an output nor a state derivative",
-                   variable->name);
-            return false;
+        suit = as_known ? is_known(instance, variable) : is_unknown(variable);
+        if (!suit) {
+            answer(instance, CALL_ERROR, call, "%s is neither %s%s", variable->name,
+                   as_known ? "a state nor an input nor tunable" : "an output nor a state derivative",
+                   as_known && variable->settable_before_start ? ", and the run has begun" : "");
         }
     }
-    return true;
+    return suit;
 }
 
 /* Refuses derivatives that are NaN, for example where states are so large that their products overflow. */
@@ -62,21 +54,13 @@ static call_status check_derivatives(const instance *instance, const char *call,
     return CALL_OK;
 }
 
-typedef struct {
-    const uint32_t *references;
-    size_t count;
-} variable_list;
-
 /* The derivative of each unknown along the seeds of the knowns, in one pass. For the adjoint, the derivative
  * by each known of the sum of the unknowns, weighted by the seeds: a pass for each known. */
 static call_status derivatives(const instance *instance, const char *call, variable_list unknowns,
                                variable_list knowns, const double seeds[], double values[], bool is_adjoint) {
     const variable_list seeded = is_adjoint ? unknowns : knowns, written = is_adjoint ? knowns : unknowns;
-    if (!call_is_allowed(instance, call, ANYWHERE) ||
-        !array_is_given(instance, call, unknowns.references, unknowns.count, unknowns.count) ||
-        !array_is_given(instance, call, knowns.references, knowns.count, knowns.count) ||
-        !are_known(instance, call, knowns.references, knowns.count) ||
-        !are_unknown(instance, call, unknowns.references, unknowns.count) ||
+    if (!call_is_allowed(instance, call, ANYWHERE) || !are_suitable(instance, call, knowns, true) ||
+        !are_suitable(instance, call, unknowns, false) ||
         !array_is_given(instance, call, seeds, seeded.count, seeded.count) ||
         !array_is_given(instance, call, values, written.count, written.count)) {
         return CALL_ERROR;
@@ -107,14 +91,8 @@ static call_status derivatives(const instance *instance, const char *call, varia
         }
         for (size_t i = 0; i < unknowns.count; ++i) {
             const double value = fmu_get_number(&seed, &variation, &fmu_variables[unknowns.references[i]]);
-            if (is_adjoint) {
-                sum += seeds[i] * value;
-            } else {
-                values[i] = value;
-            }
-        }
-        if (is_adjoint) {
-            values[pass] = sum;
+            sum += is_adjoint ? seeds[i] * value : 0.0;
+            values[is_adjoint ? pass : i] = is_adjoint ? sum : value;
         }
     }
     return present == NULL ? status
@@ -137,10 +115,7 @@ call_status adjoint_derivative(instance *instance, const char *call, const uint3
 
 call_status output_derivatives(instance *instance, const char *call, const uint32_t references[],
                                size_t count, const int orders[], double values[]) {
-    if (!call_is_allowed(instance, call, STEP_MODE | TERMINATED | FAILED) ||
-        !array_is_given(instance, call, references, count, count) ||
-        !array_is_given(instance, call, orders, count, count) ||
-        !array_is_given(instance, call, values, count, count)) {
+    if (!MAY_BEGIN(instance, call, STEP_MODE | TERMINATED | FAILED, count, references, orders, values)) {
         return CALL_ERROR;
     }
     fmu flow;

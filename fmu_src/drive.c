@@ -249,8 +249,7 @@ bool settle(fmu *fmu, const struct instance *observer, bool *changed) {
     const page_motion before = fmu->motion;
     tdmf_page_run run = run_of(fmu);
     tdmf_chain chain;
-    const bool is_settled =
-        tdmf_take_due_events(unit_model, &run, fmu->watch, memory_of_instant(fmu), &chain);
+    const bool is_settled = tdmf_take_due_events(unit_model, &run, fmu->watch, fmu->instant, &chain);
     keep_run(fmu, &run);
     *changed |= chain.count > 0;
     if (is_settled && chain.count > 0 && observer != NULL) {
@@ -329,7 +328,7 @@ static tdmf_run_outcome drive_cvode_to_event(fmu *fmu, double until, tdmf_event_
         if (outcome != TDMF_RUN_STOPPED) {
             return outcome;
         }
-        if (!tdmf_take_due_events(unit_model, &run, after.watch, memory_of_instant(&after), &chain)) {
+        if (!tdmf_take_due_events(unit_model, &run, after.watch, after.instant, &chain)) {
             return TDMF_RUN_ENDLESS_CHAIN;
         }
         keep_run(&after, &run);

@@ -134,7 +134,7 @@ CALL(DeSerializeFMUstate, (fmi2Component c, const fmi2Byte bytes[], size_t size,
 
 fmi2Status fmi2NewDiscreteStates(fmi2Component component, fmi2EventInfo *info) {
     static const char call[] = "fmi2NewDiscreteStates";
-    if (!call_is_allowed(component, call, EVENT_MODE) || !array_is_given(component, call, info, 1, 1)) {
+    if (!MAY_BEGIN(component, call, EVENT_MODE, 1, info)) {
         return fmi2Error;
     }
     discrete_update update = {0};
@@ -211,10 +211,7 @@ fmi2Status fmi2SetRealInputDerivatives(fmi2Component component, REFERENCES, cons
                                        const fmi2Real values[]) {
     static const char call[] = "fmi2SetRealInputDerivatives";
     instance *instance = component;
-    if (!call_is_allowed(instance, call, BEFORE_START | STEP_MODE) ||
-        !array_is_given(instance, call, references, count, count) ||
-        !array_is_given(instance, call, orders, count, count) ||
-        !array_is_given(instance, call, values, count, count)) {
+    if (!MAY_BEGIN(instance, call, BEFORE_START | STEP_MODE, count, references, orders, values)) {
         return fmi2Error;
     }
     call_status status = CALL_OK;
@@ -244,17 +241,13 @@ static call_status refuse_status(const instance *instance, const char *call) {
                : CALL_ERROR;
 }
 
-static bool status_is_asked(const instance *instance, const char *call, const void *value) {
-    return call_is_allowed(instance, call, after_steps) && array_is_given(instance, call, value, 1, 1);
-}
-
 fmi2Status fmi2GetRealStatus(fmi2Component component, const fmi2StatusKind kind, fmi2Real *value) {
     static const char call[] = "fmi2GetRealStatus";
     const instance *instance = component;
     if (kind != fmi2LastSuccessfulTime) {
         return (fmi2Status)refuse_status(instance, call);
     }
-    if (!status_is_asked(instance, call, value)) {
+    if (!MAY_BEGIN(instance, call, after_steps, 1, value)) {
         return fmi2Error;
     }
     *value = instance->fmu.time;
@@ -266,7 +259,7 @@ fmi2Status fmi2GetBooleanStatus(fmi2Component component, const fmi2StatusKind ki
     if (kind != fmi2Terminated) {
         return (fmi2Status)refuse_status(component, call);
     }
-    if (!status_is_asked(component, call, value)) {
+    if (!MAY_BEGIN(component, call, after_steps, 1, value)) {
         return fmi2Error;
     }
     *value = fmi2False;

@@ -190,13 +190,8 @@ fmi3Status fmi3UpdateDiscreteStates(fmi3Instance component, fmi3Boolean *needs_u
                                     fmi3Boolean *states_changed, fmi3Boolean *next_time_defined,
                                     fmi3Float64 *next_time) {
     static const char call[] = "fmi3UpdateDiscreteStates";
-    if (!call_is_allowed(component, call, EVENT_MODE) ||
-        !array_is_given(component, call, needs_update, 1, 1) ||
-        !array_is_given(component, call, terminate_simulation, 1, 1) ||
-        !array_is_given(component, call, nominals_changed, 1, 1) ||
-        !array_is_given(component, call, states_changed, 1, 1) ||
-        !array_is_given(component, call, next_time_defined, 1, 1) ||
-        !array_is_given(component, call, next_time, 1, 1)) {
+    if (!MAY_BEGIN(component, call, EVENT_MODE, 1, needs_update, terminate_simulation, nominals_changed,
+                   states_changed, next_time_defined, next_time)) {
         return fmi3Error;
     }
     discrete_update update = {0};
@@ -257,15 +252,16 @@ CALL(GetNominalsOfContinuousStates, (fmi3Instance c, fmi3Float64 nominals[], siz
 
 /* The counts never change. */
 static call_status get_count(const instance *instance, const char *call, size_t value, size_t *count) {
-    if (!call_is_allowed(instance, call, ANYWHERE) || !array_is_given(instance, call, count, 1, 1)) {
+    if (!MAY_BEGIN(instance, call, ANYWHERE, 1, count)) {
         return CALL_ERROR;
     }
     *count = value;
     return CALL_OK;
 }
 
-CALL(GetNumberOfEventIndicators, (fmi3Instance c, size_t *count), get_count(c, call, FMU_GUARD_COUNT, count))
-CALL(GetNumberOfContinuousStates, (fmi3Instance c, size_t *count), get_count(c, call, FMU_STATE_COUNT, count))
+CALL(GetNumberOfEventIndicators, (fmi3Instance c, size_t *count), get_count(c, call, UNIT_GUARD_COUNT, count))
+CALL(GetNumberOfContinuousStates, (fmi3Instance c, size_t *count),
+     get_count(c, call, UNIT_CONTINUOUS_COUNT, count))
 
 /* ---- Co-Simulation ------------------------------------------------------------------------------------- */
 
@@ -278,11 +274,8 @@ fmi3Status fmi3DoStep(fmi3Instance component, fmi3Float64 time, fmi3Float64 step
                       fmi3Float64 *last_successful_time) {
     static const char call[] = "fmi3DoStep";
     (void)no_set_state_before;
-    if (!call_is_allowed(component, call, STEP_MODE) ||
-        !array_is_given(component, call, event_handling_needed, 1, 1) ||
-        !array_is_given(component, call, terminate_simulation, 1, 1) ||
-        !array_is_given(component, call, early_return, 1, 1) ||
-        !array_is_given(component, call, last_successful_time, 1, 1)) {
+    if (!MAY_BEGIN(component, call, STEP_MODE, 1, event_handling_needed, terminate_simulation, early_return,
+                   last_successful_time)) {
         return fmi3Error;
     }
     fmi3_instance *own = component;

@@ -11,12 +11,13 @@
 #include <string.h>
 
 static const long usual_step_limit = 1000000; /* of a call */
-static const double rounding_at_event = 1e-9; /* of a guard, in its scale, where its event was found */
+const double rounding_at_event = 1e-9;
 
 void fmu_reset(fmu *fmu) {
     const struct fmu kept = {
         .is_exchange = fmu->is_exchange,
         .memory = fmu->memory,
+        .instant = fmu->instant,
         .step_limit = usual_step_limit,
         .settings =
             {[SETTING_TOLERANCE] = 1e-11, [SETTING_TERMINATES] = 1.0, [SETTING_METHOD] = SOLVER_NATIVE},
@@ -149,33 +150,41 @@ void fmu_enter_event_mode(fmu *fmu) {
 
 /* ---- events ahead of Co-Simulation with event mode ----------------------------------------------------- */
 
+double guard_of_pending_event(const fmu *fmu, const tdmf_guard_kind **kind) {
+    const tdmf_page_instant at = instant_of(fmu);
+    for (int i = 0; i < at.mode->guard_count; ++i) {
+        *kind = &at.mode->guards[i];
+        if ((*kind)->event == fmu->event) {
+            double value, rate;
+            tdmf_page_guard(&at, i, &value, &rate);
+            return value / at.event_scales[fmu->event];
+        }
+    }
+    return INFINITY;
+}
+
 /* Takes the event at which the run stands, unless what was set since it was found averts it. */
 static bool take_pending_event(fmu *fmu, const struct instance *observer) {
     if (!fmu->event_is_pending) {
         return false;
     }
     const bool is_changed = memcmp(fmu->motion.numbers, fmu->accounted, sizeof fmu->accounted) != 0;
+    const tdmf_guard_kind *kind;
     fmu->event_is_pending = 0;
     account_for_jumps(fmu);
-    const tdmf_page_instant at = instant_of(fmu);
-    for (int i = 0; i < at.mode->guard_count; ++i) {
-        const tdmf_guard_kind *kind = &at.mode->guards[i];
-        double value, rate;
-        tdmf_page_guard(&at, i, &value, &rate);
-        if (kind->event == fmu->event &&
-            (!is_changed || value <= rounding_at_event * at.event_scales[kind->event])) {
-            const page_motion before = fmu->motion;
-            tdmf_page_run run = run_of(fmu);
-            const tdmf_event_row row = tdmf_take_event_now(unit_model, kind, &run, fmu->watch);
-            keep_run(fmu, &run);
-            account_for_all(fmu);
-            if (observer != NULL) {
-                report(fmu, observer, &row, before.numbers + UNIT_PARAMETER_COUNT, &row, states_of(fmu));
-            }
-            return true;
-        }
+    const double guard = guard_of_pending_event(fmu, &kind);
+    if (isinf(guard) || (is_changed && guard > rounding_at_event)) {
+        return false;
     }
-    return false;
+    const page_motion before = fmu->motion;
+    tdmf_page_run run = run_of(fmu);
+    const tdmf_event_row row = tdmf_take_event_now(unit_model, kind, &run, fmu->watch);
+    keep_run(fmu, &run);
+    account_for_all(fmu);
+    if (observer != NULL) {
+        report(fmu, observer, &row, before.numbers + UNIT_PARAMETER_COUNT, &row, states_of(fmu));
+    }
+    return true;
 }
 
 /* Whether states are larger than those of any motion; `text` receives the name of the first. */
@@ -189,7 +198,7 @@ static bool is_beyond_motion(const fmu *fmu, char text[FMU_TEXT]) {
 
 /* Restores states that an event has made NaN, because of a trial state. */
 static void keep_numbers(fmu *fmu, const double states[]) {
-    for (int i = 0; i < FMU_STATE_COUNT; ++i) {
+    for (int i = 0; i < UNIT_CONTINUOUS_COUNT; ++i) {
         double *x = &states_of(fmu)[unit_states[i].index];
         *x = isnan(*x) ? states[i] : *x;
     }
@@ -197,7 +206,7 @@ static void keep_numbers(fmu *fmu, const double states[]) {
 
 const char *fmu_update(fmu *fmu, const struct instance *observer, bool *state_changed, char text[FMU_TEXT]) {
     const struct fmu begun = *fmu;
-    double states[FMU_STATE_COUNT + 1];
+    double states[UNIT_CONTINUOUS_COUNT + 1];
     bool is_resolved;
     fmu_states(fmu, NULL, states);
     bool changed = take_pending_event(fmu, observer) | (fmu->has_jumped != 0);
@@ -362,7 +371,7 @@ void fmu_differentiate_start(const fmu *given, const struct fmu *started, struct
     fmu_set_time(seed, seed->time);
     apply_starts(&begun);
     apply_starts(seed);
-    for (int i = 0; i < FMU_STATE_COUNT; ++i) {
+    for (int i = 0; i < UNIT_CONTINUOUS_COUNT; ++i) {
         double *of_state = &states_of(seed)[unit_states[i].index];
         *of_state = unit_states[i].has_start ? *of_state : 0.0; /* whatever it was */
     }
@@ -384,7 +393,7 @@ void fmu_differentiate_start(const fmu *given, const struct fmu *started, struct
         mode_of(started)->vary_to_world(parameters_of(started), states_of(started), parameters_of(seed), dx,
                                         shown);
     }
-    for (int i = 0; i < FMU_STATE_COUNT; ++i) {
+    for (int i = 0; i < UNIT_CONTINUOUS_COUNT; ++i) {
         if (!unit_states[i].has_start) { /* the start calculates it */
             states_of(seed)[unit_states[i].index] = shown[unit_states[i].index];
         }

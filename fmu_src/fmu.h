@@ -9,12 +9,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum {
-    UNIT_NUMBER_COUNT = UNIT_PARAMETER_COUNT + UNIT_STATE_COUNT,
-    FMU_STATE_COUNT = UNIT_CONTINUOUS_COUNT,
-    FMU_GUARD_COUNT = UNIT_GUARD_COUNT,
-    WORD_CAPACITY = 64
-};
+enum { UNIT_NUMBER_COUNT = UNIT_PARAMETER_COUNT + UNIT_STATE_COUNT, WORD_CAPACITY = 64 };
 
 /* Settings of the unit rather than of the page. */
 typedef enum { SOLVER_NATIVE = 1, SOLVER_CVODE } solver_method;
@@ -55,16 +50,17 @@ typedef struct fmu {
     int64_t work[WORK_COUNT];
     unsigned char watch[8 * (UNIT_EVENT_COUNT / 8 + 1)]; /* a watch_state for each event */
     int64_t step_limit;                                  /* of a call; not part of the run */
-    double *memory; /* working memory, which holds nothing between calls */
+    double *memory, *instant; /* working memory of a run and of an instant; it holds nothing between calls */
     bool is_exchange;
 } fmu;
 
 /* Values that follow from a run, computed on request. */
 typedef struct {
     double numbers[UNIT_NUMBER_COUNT + 1];
-    double states[FMU_STATE_COUNT + 1]; /* of a run that has not begun: those that it would begin with */
-    double derivatives[FMU_STATE_COUNT + 1];
-    double guards[FMU_GUARD_COUNT + 1];
+    double
+        states[UNIT_CONTINUOUS_COUNT + 1]; /* of a run that has not begun: those that it would begin with */
+    double derivatives[UNIT_CONTINUOUS_COUNT + 1];
+    double guards[UNIT_GUARD_COUNT + 1];
     double outputs[UNIT_OUTPUT_COUNT + 1];
     double work[WORK_COUNT];
     char words[UNIT_WORD_COUNT + 1][WORD_CAPACITY];

@@ -90,6 +90,14 @@ bool call_is_allowed(const instance *instance, const char *call, unsigned allowe
 bool array_is_given(const instance *instance, const char *call, const void *array, size_t count,
                     size_t wanted);
 
+/* Whether `call` may be made now, and each of these arrays of `count` elements was given; if not, refuses it.
+ */
+bool call_may_begin(const instance *instance, const char *call, unsigned allowed_states, size_t count,
+                    const void *const arrays[], size_t array_count);
+#define MAY_BEGIN(instance, call, allowed_states, count, ...)                                                \
+    call_may_begin(instance, call, allowed_states, count, (const void *const[]){__VA_ARGS__},                \
+                   sizeof((const void *const[]){__VA_ARGS__}) / sizeof(void *))
+
 /* Goes from one of the states `from` of the call sequence to another one, and does nothing else. */
 call_status enter_state(instance *instance, const char *call, unsigned from, call_state to);
 

@@ -2,17 +2,16 @@
 #include "run.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
-/* Numbers of working memory of a run, on the page or on its part. */
-static size_t run_size(void) {
+double *allocate_memory(fmu *fmu) {
     const size_t whole = tdmf_run_memory_size(unit_model, 1),
-                 part = unit_part == NULL ? 0 : tdmf_run_memory_size(unit_part->model, 1);
-    return whole > part ? whole : part;
-}
-
-size_t instant_size(void) {
-    return run_size() + tdmf_size_of_instant(unit_model);
+                 part = unit_part == NULL ? 0 : tdmf_run_memory_size(unit_part->model, 1),
+                 of_run = whole > part ? whole : part;
+    fmu->memory = malloc((of_run + tdmf_size_of_instant(unit_model)) * sizeof *fmu->memory);
+    fmu->instant = fmu->memory == NULL ? NULL : fmu->memory + of_run;
+    return fmu->memory;
 }
 
 const tdmf_mode_kind *mode_of(const fmu *fmu) {
@@ -32,13 +31,8 @@ double *states_of(const fmu *fmu) {
     return parameters_of(fmu) + UNIT_PARAMETER_COUNT;
 }
 
-double *memory_of_instant(const fmu *fmu) {
-    return fmu->memory + run_size();
-}
-
 tdmf_page_instant instant_of(const fmu *fmu) {
-    return tdmf_instant_at(unit_model, fmu->motion.mode, parameters_of(fmu), states_of(fmu),
-                           memory_of_instant(fmu));
+    return tdmf_instant_at(unit_model, fmu->motion.mode, parameters_of(fmu), states_of(fmu), fmu->instant);
 }
 
 /* NaN is out of every range. */
@@ -86,7 +80,7 @@ static double indicator(const tdmf_page_instant *at, const guard_state *guards, 
 static void indicators_at(const fmu *fmu, const tdmf_page_instant *at, double indicators[]) {
     guard_state guards[TDMF_GUARD_LIMIT];
     tdmf_view_guards(at, fmu->watch, guards);
-    for (int i = 0; i < FMU_GUARD_COUNT; ++i) {
+    for (int i = 0; i < UNIT_GUARD_COUNT; ++i) {
         const double value = indicator(at, guards, &unit_guards[i]);
         indicators[i] = isnan(value) ? 1.0 : value;
     }
@@ -101,7 +95,7 @@ void fmu_event_indicators(const fmu *fmu, double indicators[]) {
 
 /* Picks the continuous states of the unit from values by state. */
 static void pick_states(const double *values, double picked[]) {
-    for (int i = 0; i < FMU_STATE_COUNT; ++i) {
+    for (int i = 0; i < UNIT_CONTINUOUS_COUNT; ++i) {
         picked[i] = values[unit_states[i].index];
     }
 }
@@ -110,7 +104,7 @@ static void derivatives_at(const tdmf_page_instant *at, double derivatives[]) {
     double rates[UNIT_STATE_COUNT + 1];
     tdmf_page_world_rates(at, rates);
     pick_states(rates, derivatives);
-    for (int i = 0; i < FMU_STATE_COUNT; ++i) {
+    for (int i = 0; i < UNIT_CONTINUOUS_COUNT; ++i) {
         derivatives[i] = fmu_within_largest(derivatives[i]);
     }
 }
@@ -122,13 +116,13 @@ void fmu_derivatives(const fmu *fmu, double derivatives[]) {
 
 void fmu_states(const fmu *fmu, const fmu_view *view, double states[]) {
     pick_states(states_of(fmu), states);
-    for (int i = 0; view != NULL && i < FMU_STATE_COUNT; ++i) {
+    for (int i = 0; view != NULL && i < UNIT_CONTINUOUS_COUNT; ++i) {
         states[i] = unit_states[i].has_start ? states[i] : view->states[i];
     }
 }
 
 void fmu_try_states(fmu *fmu, const double states[]) {
-    for (int i = 0; i < FMU_STATE_COUNT; ++i) {
+    for (int i = 0; i < UNIT_CONTINUOUS_COUNT; ++i) {
         states_of(fmu)[unit_states[i].index] = fmu_within_largest(states[i]);
     }
     take_from_world(fmu);
@@ -206,7 +200,7 @@ void fmu_flow(const fmu *fmu, struct fmu *seed) {
     const tdmf_page_instant at = instant_of(fmu);
     memset(seed, 0, sizeof *seed);
     tdmf_page_world_rates(&at, states_of(seed));
-    for (int i = 0; i < FMU_STATE_COUNT; ++i) {
+    for (int i = 0; i < UNIT_CONTINUOUS_COUNT; ++i) {
         double *rate = &states_of(seed)[unit_states[i].index];
         *rate = fmu_within_largest(*rate);
     }

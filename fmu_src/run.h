@@ -9,12 +9,11 @@
 
 /* ---- instant.c ----------------------------------------------------------------------------------------- */
 
-/* Numbers of working memory that a run needs. */
-size_t instant_size(void);
+/* Gives the unit its working memory, or NULL. */
+double *allocate_memory(fmu *fmu);
 
 /* The instant of a run, with the series of its mode up to the second coefficient. */
 tdmf_page_instant instant_of(const fmu *fmu);
-double *memory_of_instant(const fmu *fmu);
 
 const tdmf_mode_kind *mode_of(const fmu *fmu);
 
@@ -56,6 +55,10 @@ tdmf_run_outcome drive(fmu *fmu, double until, const struct instance *observer, 
 tdmf_run_outcome drive_to_event(fmu *fmu, double until, tdmf_event_row *row);
 
 /* ---- jumps.c ------------------------------------------------------------------------------------------- */
+
+/* The guard of the event at which the run stands, in its scale; infinite if the mode does not watch it. */
+double guard_of_pending_event(const fmu *fmu, const tdmf_guard_kind **kind);
+extern const double rounding_at_event; /* largest such guard where its event was found */
 
 /* Records that all jumps so far have had their effects. */
 void account_for_all(fmu *fmu);

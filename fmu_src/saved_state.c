@@ -179,11 +179,19 @@ static bool clocks_agree(const fmu *fmu) {
            (unit_clock < 0 || states_of(fmu)[unit_clock] == fmu->motion.time);
 }
 
+/* A pending event was due by the numbers with which the run stopped. */
+static bool event_may_be_pending(const fmu *fmu) {
+    struct fmu stopped = *fmu;
+    const tdmf_guard_kind *kind;
+    memcpy(stopped.motion.numbers, fmu->accounted, sizeof fmu->accounted);
+    return guard_of_pending_event(&stopped, &kind) <= rounding_at_event;
+}
+
 static bool rates_are_finite(const fmu *fmu) {
-    double derivatives[FMU_STATE_COUNT + 1];
+    double derivatives[UNIT_CONTINUOUS_COUNT + 1];
     bool finite = true;
     fmu_derivatives(fmu, derivatives);
-    for (int i = 0; i < FMU_STATE_COUNT; ++i) {
+    for (int i = 0; i < UNIT_CONTINUOUS_COUNT; ++i) {
         finite &= fabs(derivatives[i]) < fmu_largest_state;
     }
     return finite;
@@ -194,8 +202,10 @@ static const char *wrong_run(const fmu *fmu) {
     if (wrong == NULL && !fmu->is_exchange) {
         wrong = wrong_coordinate(fmu);
     }
-    return wrong == NULL && !fmu->is_exchange && !rates_are_finite(fmu) ? "a state, which has no finite rate"
-                                                                        : wrong;
+    if (wrong == NULL && !fmu->is_exchange && !rates_are_finite(fmu)) {
+        wrong = "a state, which has no finite rate";
+    }
+    return wrong == NULL && fmu->event_is_pending && !event_may_be_pending(fmu) ? "the pending event" : wrong;
 }
 
 /* ---- reading and writing ------------------------------------------------------------------------------- */
@@ -244,7 +254,7 @@ static void *room_for_state(void *old) {
 }
 
 call_status save_state(instance *instance, const char *call, void **state) {
-    if (!call_is_allowed(instance, call, ANYWHERE) || !array_is_given(instance, call, state, 1, 1)) {
+    if (!MAY_BEGIN(instance, call, ANYWHERE, 1, state)) {
         return CALL_ERROR;
     }
     saved_state *saved = room_for_state(*state);
@@ -295,8 +305,7 @@ call_status free_state(instance *instance, const char *call, void **state) {
 }
 
 call_status measure_state(instance *instance, const char *call, const void *state, size_t *size) {
-    if (!call_is_allowed(instance, call, ANYWHERE) || !array_is_given(instance, call, state, 1, 1) ||
-        !array_is_given(instance, call, size, 1, 1)) {
+    if (!MAY_BEGIN(instance, call, ANYWHERE, 1, state, size)) {
         return CALL_ERROR;
     }
     *size = sizeof(saved_state);
@@ -305,7 +314,7 @@ call_status measure_state(instance *instance, const char *call, const void *stat
 
 call_status serialize_state(instance *instance, const char *call, const void *state, void *bytes,
                             size_t size) {
-    if (!call_is_allowed(instance, call, ANYWHERE) || !array_is_given(instance, call, state, 1, 1) ||
+    if (!MAY_BEGIN(instance, call, ANYWHERE, 1, state) ||
         !array_is_given(instance, call, bytes, size, sizeof(saved_state))) {
         return CALL_ERROR;
     }
@@ -316,8 +325,7 @@ call_status serialize_state(instance *instance, const char *call, const void *st
 call_status deserialize_state(instance *instance, const char *call, const void *bytes, size_t size,
                               void **state) {
     char text[FMU_TEXT];
-    if (!call_is_allowed(instance, call, ANYWHERE) || !array_is_given(instance, call, bytes, 1, 1) ||
-        !array_is_given(instance, call, state, 1, 1)) {
+    if (!MAY_BEGIN(instance, call, ANYWHERE, 1, bytes, state)) {
         return CALL_ERROR;
     }
     if (size != sizeof(saved_state)) {

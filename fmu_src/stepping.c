@@ -43,9 +43,7 @@ call_status update_discrete_states(instance *instance, const char *call, discret
 
 call_status complete_step(instance *instance, const char *call, const void *event_mode, const void *terminate,
                           bool *asks) {
-    if (!call_is_allowed(instance, call, CONTINUOUS_TIME_MODE) ||
-        !array_is_given(instance, call, event_mode, 1, 1) ||
-        !array_is_given(instance, call, terminate, 1, 1)) {
+    if (!MAY_BEGIN(instance, call, CONTINUOUS_TIME_MODE, 1, event_mode, terminate)) {
         return CALL_ERROR;
     }
     *asks = fmu_complete_step(&instance->fmu);
@@ -67,10 +65,10 @@ call_status set_time(instance *instance, const char *call, double time) {
 
 call_status set_states(instance *instance, const char *call, const double states[], size_t count) {
     if (!call_is_allowed(instance, call, CONTINUOUS_TIME_MODE) ||
-        !array_is_given(instance, call, states, count, FMU_STATE_COUNT)) {
+        !array_is_given(instance, call, states, count, UNIT_CONTINUOUS_COUNT)) {
         return CALL_ERROR;
     }
-    for (int i = 0; i < FMU_STATE_COUNT; ++i) {
+    for (int i = 0; i < UNIT_CONTINUOUS_COUNT; ++i) {
         if (isnan(states[i])) {
             return answer(instance, CALL_DISCARD, call, "a state is not a number");
         }
@@ -82,7 +80,7 @@ call_status set_states(instance *instance, const char *call, const double states
 
 call_status get_states(instance *instance, const char *call, double states[], size_t count) {
     if (!call_is_allowed(instance, call, evaluable) ||
-        !array_is_given(instance, call, states, count, FMU_STATE_COUNT)) {
+        !array_is_given(instance, call, states, count, UNIT_CONTINUOUS_COUNT)) {
         return CALL_ERROR;
     }
     call_status status = CALL_OK;
@@ -108,16 +106,16 @@ static call_status get_values(const instance *instance, const char *call, double
 }
 
 call_status get_derivatives(instance *instance, const char *call, double derivatives[], size_t count) {
-    return get_values(instance, call, derivatives, count, FMU_STATE_COUNT, fmu_derivatives);
+    return get_values(instance, call, derivatives, count, UNIT_CONTINUOUS_COUNT, fmu_derivatives);
 }
 
 call_status get_indicators(instance *instance, const char *call, double indicators[], size_t count) {
-    return get_values(instance, call, indicators, count, FMU_GUARD_COUNT, fmu_event_indicators);
+    return get_values(instance, call, indicators, count, UNIT_GUARD_COUNT, fmu_event_indicators);
 }
 
 call_status get_nominals(instance *instance, const char *call, double nominals[], size_t count) {
     if (!call_is_allowed(instance, call, INSTANTIATED | evaluable) ||
-        !array_is_given(instance, call, nominals, count, FMU_STATE_COUNT)) {
+        !array_is_given(instance, call, nominals, count, UNIT_CONTINUOUS_COUNT)) {
         return CALL_ERROR;
     }
     fmu_nominals(&instance->fmu, nominals);

@@ -17,6 +17,7 @@ typedef enum {
     VARIABLE_STRING = 1 << 4
 } fmu_variable_type;
 
+/* Where a variable is: up to STORED_START in the run, else in the view. */
 typedef enum {
     STORED_TIME,
     STORED_PARAMETER,

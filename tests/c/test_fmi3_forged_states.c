@@ -323,6 +323,38 @@ TEST(an_event_is_pending_in_event_mode_only) {
     assert_refused(STEPS_WITH_EVENTS, &state, "refused");
 }
 
+/* Returns how many events there were. */
+static int run_to(fmi3Instance instance, fmi_kind kind, double end) {
+    int events = 0;
+    step_answer step = {.event = kind == STEPS_WITH_EVENTS};
+    for (double time = get_float(instance, "time"); time < end; time = step.time) {
+        if (step.event) {
+            update_answer answer;
+            ++events;
+            assert_int_equal(fmi3EnterEventMode(instance), fmi3OK);
+            assert_int_equal(update(instance, &answer), fmi3OK);
+            assert_int_equal(fmi3EnterStepMode(instance), fmi3OK);
+        }
+        assert_int_equal(do_step(instance, time, end - time, &step), fmi3OK);
+    }
+    return events;
+}
+
+/* The event of the first touchdown, claimed in the swing after the second stance. */
+TEST(an_event_far_from_its_guard_is_not_pending) {
+    enum { PENDING = 4, EVENT = 12 };
+    serialized at_event, state;
+    save_on_its_way(STEPS_WITH_EVENTS, &at_event);
+    fmi3Instance instance = new_on_its_way(STEPS_WITH_EVENTS);
+    assert_int_equal(restore(instance, &at_event), fmi3OK);
+    run_to(instance, STEPS_WITH_EVENTS, 41.0);
+    serialize(instance, &state);
+    assert_int_equal(state.bytes[FORGE_PENDING], 0);
+    memcpy(state.bytes + FORGE_PENDING, at_event.bytes + FORGE_PENDING, PENDING);
+    memcpy(state.bytes + FORGE_BEGUN + EVENT, at_event.bytes + FORGE_BEGUN + EVENT, sizeof(int32_t));
+    assert_refused(STEPS_WITH_EVENTS, &state, "the pending event");
+}
+
 /* One state runs without having begun; the other has begun but does not run. */
 TEST(a_run_in_a_state_that_it_cannot_be_in_is_refused) {
     serialized state;
@@ -367,23 +399,6 @@ static void fill_counter(serialized *state, fmi_kind kind, const char *name) {
         memcpy(state->bytes + offset++, &full, sizeof full);
         forge_checksum(state->bytes, state->size);
     } while (restore(instance, state) != fmi3OK || get_int(instance, name) != INT_MAX);
-}
-
-/* Returns how many events there were. */
-static int run_to(fmi3Instance instance, fmi_kind kind, double end) {
-    int events = 0;
-    step_answer step = {.event = kind == STEPS_WITH_EVENTS};
-    for (double time = get_float(instance, "time"); time < end; time = step.time) {
-        if (step.event) {
-            update_answer answer;
-            ++events;
-            assert_int_equal(fmi3EnterEventMode(instance), fmi3OK);
-            assert_int_equal(update(instance, &answer), fmi3OK);
-            assert_int_equal(fmi3EnterStepMode(instance), fmi3OK);
-        }
-        assert_int_equal(do_step(instance, time, end - time, &step), fmi3OK);
-    }
-    return events;
 }
 
 /* The largest count there is: the run goes on as ever, and the counters stay where they are. */
