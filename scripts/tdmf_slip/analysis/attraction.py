@@ -9,15 +9,14 @@ from dataclasses import asdict, dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ..blocks import run_blocks
 from ..checks import checked_whole
 from ..library.engine import FATES, SETTLED, UNSOLVED
 from ..library.gait import Gait
 from ..library.laws import Law
 from ..library.runner import Runner
 from ..library.section import COORDINATES
-from ..terminal.progress import progress_bar
 from .ball import STARTS_AT_ONCE, Ball, ball_of, check_attracts, fates
+from .in_blocks import in_blocks, sizes_of
 
 BOX: Mapping[str, tuple[float, float]] = {
     "com_height": (0.0, 4.0),
@@ -128,16 +127,9 @@ def volume(
     samples = checked_whole("samples", samples, 1, MAX_SAMPLES)
     seed = checked_whole("seed", seed, 0, 2**63)
     work = functools.partial(_count_fates, gait, law, ball_of(gait, ball, samples, law), seed)
-    begins = range(0, samples, STARTS_AT_ONCE)
-    blocks = [(number, min(STARTS_AT_ONCE, samples - done)) for number, done in enumerate(begins)]
-    counted = np.zeros(len(FATES), dtype=int)
-    with (
-        progress_bar("volume", samples, "starts", progress) as bar,
-        run_blocks(work, blocks, executor) as results,
-    ):
-        for number, found in results:
-            counted += found
-            bar.update(blocks[number][1])
+    sizes = sizes_of(samples, STARTS_AT_ONCE)
+    results = in_blocks(work, [*enumerate(sizes)], sizes, "volume", "starts", executor, progress)
+    counted = np.sum([found for _, found in results], axis=0)
     coordinates = gait.runner.coordinates
     box = math.prod(high - low for low, high in (BOX[name] for name in coordinates))
     return Volume(samples, int(counted[SETTLED]), box, int(counted[UNSOLVED]), coordinates)

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import functools
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass
 from pathlib import Path
@@ -26,11 +25,12 @@ from ..library.runner import Runner
 from ..library.section import COORDINATES, check_axes
 from ..library.shared_steps import shares_steps
 from ..record import dataset
-from ..terminal.progress import Bar, progress_bar
+from ..terminal.progress import progress_bar
 from ..variables.parameters import RunnerLike
 from ..variables.table import Model
 from .ball import MAX_ALONG, STARTS_AT_ONCE, Ball, attributes_of, ball_of, fates, starts_at
 from .ball import stable_gait as stable_gait
+from .in_blocks import in_blocks
 from .preview import PREVIEW, REFINEMENTS, preview_of
 
 if TYPE_CHECKING:
@@ -181,9 +181,10 @@ def basin(
     made = Resumed(path, _blank(slice_, refine), "map of fates")
     if made.is_whole:
         return made.data
-    with progress_bar("basin", size, "starts", progress) as bar:
-        fill = _paint if refine == PREVIEW else _follow_rows
-        fill(made, slice_, functools.partial(run_blocks, slice_.fates, executor=executor), bar)
+    if refine == PREVIEW:
+        _paint(made, slice_, executor, progress)
+    else:
+        _follow_rows(made, slice_, executor, progress)
     share = float((made.data["fate"] == SETTLED).mean())
     area = math.prod(float(np.ptp(values)) for values in along.values())
     data = made.data.assign_attrs(settled_share=share, settled_area=share * area)
@@ -268,29 +269,33 @@ def _check_refine(refine: str, law: Law | None) -> None:
         raise InputError("refine = 'preview' with a law that has noise: allowed: 'exact'")
 
 
-def _paint(made: Resumed, slice_: Slice, blocks: Callable[..., Any], bar: Bar) -> None:
+def _paint(made: Resumed, slice_: Slice, executor: Executor | None, progress: bool) -> None:
     """Fill in a preview."""
+    with progress_bar("basin", math.prod(slice_.shape), "starts", progress) as bar:
 
-    def follow(rows: NDArray[np.intp], columns: NDArray[np.intp]) -> NDArray[np.int32]:
-        count = -(-len(rows) // POINTS_AT_ONCE)
-        parts = list(zip(np.array_split(rows, count), np.array_split(columns, count), strict=True))
-        with blocks(parts) as results:
-            return np.concatenate(in_order(results, lambda number: bar.update(len(parts[number][0]))), axis=1)
+        def follow(rows: NDArray[np.intp], columns: NDArray[np.intp]) -> NDArray[np.int32]:
+            count = -(-len(rows) // POINTS_AT_ONCE)
+            parts = list(zip(np.array_split(rows, count), np.array_split(columns, count), strict=True))
+            with run_blocks(slice_.fates, parts, executor) as results:
+                return np.concatenate(
+                    in_order(results, lambda number: bar.update(len(parts[number][0]))), axis=1
+                )
 
-    found, data = preview_of(slice_.shape, follow), made.data
+        found = preview_of(slice_.shape, follow)
+    data = made.data
     data["fate"][:], data[STRIDES][:], data[FOLLOWED][:] = found.fate, found.strides, found.is_followed
 
 
-def _follow_rows(made: Resumed, slice_: Slice, blocks: Callable[..., Any], bar: Bar) -> None:
+def _follow_rows(made: Resumed, slice_: Slice, executor: Executor | None, progress: bool) -> None:
     """Fill in rows that are missing, by following each of their starts."""
     rows, columns = slice_.shape
     missing = [row for row in range(rows) if (made.data["fate"].values[row] == NOT_YET).any()]
     at_once = 1 if is_noisy(slice_.law) else max(1, STARTS_AT_ONCE // columns)
     parts = [missing[first : first + at_once] for first in range(0, len(missing), at_once)]
-    bar.update((rows - len(missing)) * columns)
     starts = [(np.repeat(part, columns), np.tile(np.arange(columns), len(part))) for part in parts]
-    with blocks(starts) as results:
-        for number, found in results:
-            fate, strides = found.reshape(2, -1, columns)
-            made.write({next(iter(slice_.along)): parts[number]}, {"fate": fate, STRIDES: strides})
-            bar.update(fate.size)
+    sizes, done = [len(part) * columns for part in parts], (rows - len(missing)) * columns
+    for number, found in in_blocks(
+        slice_.fates, starts, sizes, "basin", "starts", executor, progress, done=done
+    ):
+        fate, strides = found.reshape(2, -1, columns)
+        made.write({next(iter(slice_.along)): parts[number]}, {"fate": fate, STRIDES: strides})

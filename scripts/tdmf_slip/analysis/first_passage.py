@@ -9,11 +9,11 @@ from __future__ import annotations
 import math
 from concurrent.futures import Executor
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..blocks import run_blocks
 from ..checks import checked_whole
 from ..errors import InputError
 from ..library.batch import Batch
@@ -24,10 +24,10 @@ from ..library.laws import Law, numbers_up_to
 from ..library.runner import Runner
 from ..library.settings import checked_values
 from ..record import entries
-from ..terminal.progress import progress_bar
 from ..variables.parameters import RunnerLike
 from .attraction import CONFIDENCE, NORMAL_QUANTILE
 from .ball import TOLERANCE
+from .in_blocks import in_blocks, sizes_of
 from .search import periodic_gait
 
 MAX_RUNNERS = 100_000_000
@@ -38,14 +38,9 @@ MIN_IN_A_BLOCK, MAX_IN_A_BLOCK = 64, 4096
 """Runners; fewer would leave lanes empty."""
 
 
-@dataclass(frozen=True, repr=False)
-class FirstPassage:
-    """Strides until the fall, estimated from runners of whom some are still up at the end.
-
-    The number of strides is taken as geometric, which it is once the start is forgotten. The estimate is then
-    that of maximum likelihood, strides begun over falls: a runner still up is censored, its strides count and
-    it has no fall (J. F. Lawless, Statistical Models and Methods for Lifetime Data, 2nd ed., 2003, ch. 2-4).
-    """
+@dataclass(frozen=True, eq=False, repr=False)
+class Falls:
+    """Strides of a runner until it falls on rough ground."""
 
     runner: Runner
     """The runner that falls."""
@@ -53,6 +48,41 @@ class FirstPassage:
     """Word of the gait on level ground from which the runners start."""
     roughness: float
     """Standard deviation of a step, m."""
+
+    @property
+    def mean_strides(self) -> float:
+        """Mean number of strides until the fall, including the one that ends in it; infinite if none fell."""
+        raise NotImplementedError
+
+    @property
+    def interval(self) -> tuple[float, float]:
+        """Confidence interval of the mean; above, it may be open."""
+        raise NotImplementedError
+
+    def __repr__(self) -> str:
+        """One line: the runner's gait, and the mean number of strides with its interval."""
+        low, high = self.interval
+        roughness = f"{self.roughness:.4g} {self.runner.label('m')}"
+        return (
+            f"<{type(self).__name__} of the gait {self.word} on steps of {roughness}: "
+            f"{self.mean_strides:.4g} strides until the fall ({low:.4g} to {high:.4g})>"
+        )
+
+    def as_json(self) -> dict[str, object]:
+        """The estimate as a plain object."""
+        names = ("word", "roughness", "mean_strides", "interval")
+        return {**self.runner.record(), **entries(self, *names), "confidence": CONFIDENCE}
+
+
+@dataclass(frozen=True, repr=False)
+class FirstPassage(Falls):
+    """Strides until the fall, estimated from runners of whom some are still up at the end.
+
+    The number of strides is taken as geometric, which it is once the start is forgotten. The estimate is then
+    that of maximum likelihood, strides begun over falls: a runner still up is censored, its strides count and
+    it has no fall (J. F. Lawless, Statistical Models and Methods for Lifetime Data, 2nd ed., 2003, ch. 2-4).
+    """
+
     runners: int
     """Number of runners that ran."""
     falls: int
@@ -63,16 +93,6 @@ class FirstPassage:
     """Runners that came to stand, so that no further stride closed; they count as censored there."""
     unsolved: int = 0
     """Runners that the solver did not get through; they count as censored, too."""
-
-    def __repr__(self) -> str:
-        """One line: the runner's gait, and the mean number of strides with its interval."""
-        low, high = self.interval
-        return (
-            f"<FirstPassage of the gait {self.word} "
-            f"on steps of {self.roughness:.4g} {self.runner.label('m')}: "
-            f"{self.mean_strides:.4g} strides until the fall ({low:.4g} to {high:.4g}), "
-            f"{self.falls:,} of {self.runners:,} runners fell>"
-        )
 
     @property
     def censored(self) -> int:
@@ -114,18 +134,12 @@ class FirstPassage:
 
     def as_json(self) -> dict[str, object]:
         """The estimate as a plain object."""
-        counts = ("falls", "censored", "stopped", "unsolved")
-        return {
-            **self.runner.record(),
-            **entries(self, "word", "roughness", "runners", "strides", "mean_strides", "interval"),
-            "confidence": CONFIDENCE,
-            **entries(self, *counts),
-        }
+        counts = ("runners", "strides", "falls", "censored", "stopped", "unsolved")
+        return super().as_json() | entries(self, *counts)
 
 
-def count_falls(share: tuple[Batch, int]) -> NDArray[np.int64]:
+def count_falls(max_strides: int, batch: Batch) -> NDArray[np.int64]:
     """Falls, strides, and runners that stopped or are unsolved, of a batch within the most strides."""
-    batch, max_strides = share
     run = batch.run(max_strides)
     falls = np.count_nonzero(run.fate == FELL)
     strides = run.strides.sum(dtype=np.int64) + falls
@@ -201,29 +215,23 @@ def strides_to_fall(
     max_strides = checked_whole("max_strides", max_strides, 1, MAX_STRIDES)
     runner, start = rough_start(runner, gait)
     feet = _feet(foot_x, start, runner, runners, ground.seed)
-    size = min(MAX_IN_A_BLOCK, max(MIN_IN_A_BLOCK, STRIDES_IN_A_BLOCK // max_strides))
-    shares = []
-    for first in range(0, runners, size):
-        count = min(size, runners - first)
-        batch = Batch(
+    largest = min(MAX_IN_A_BLOCK, max(MIN_IN_A_BLOCK, STRIDES_IN_A_BLOCK // max_strides))
+    sizes = sizes_of(runners, largest)
+    batches = [
+        Batch(
             runner,
             np.tile(start.apex, (count, 1)),
             ground,
             law,
-            foot_x=feet[first : first + count],
-            first_number=first,
+            foot_x=feet[number * largest :][:count],
+            first_number=number * largest,
             tolerance=TOLERANCE,
         )
-        shares.append((batch, max_strides))
-    counted = np.zeros(4, dtype=np.int64)
-    with (
-        progress_bar("rough", runners, "runners", progress) as bar,
-        run_blocks(count_falls, shares, executor) as results,
-    ):
-        for number, found in results:
-            counted += found
-            bar.update(len(shares[number][0]))
-    return FirstPassage(runner, start.word, ground.roughness, runners, *map(int, counted))
+        for number, count in enumerate(sizes)
+    ]
+    work = partial(count_falls, max_strides)
+    counts = [found for _, found in in_blocks(work, batches, sizes, "rough", "runners", executor, progress)]
+    return FirstPassage(runner, start.word, ground.roughness, runners, *map(int, np.sum(counts, axis=0)))
 
 
 def rough_start(runner: RunnerLike, gait: Gait | None) -> tuple[Runner, Gait]:

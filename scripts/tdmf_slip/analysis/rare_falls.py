@@ -43,7 +43,7 @@ from ..terminal.progress import progress_bar
 from ..variables.parameters import RunnerLike, refuse_own
 from .attraction import CONFIDENCE
 from .ball import TOLERANCE
-from .first_passage import rough_start
+from .first_passage import Falls, rough_start
 
 RIDGE, ITERATIONS = 1e-3, 25
 REPLICAS = 12
@@ -268,15 +268,9 @@ def _features(away: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class RareFalls:
+class RareFalls(Falls):
     """Strides until a rare fall, estimated by splitting."""
 
-    runner: Runner
-    """The runner that falls."""
-    word: str
-    """Word of the gait on level ground from which the runners start."""
-    roughness: float
-    """Standard deviation of a step, m."""
     rates: NDArray[np.float64]
     """Weight that fell in a stride, of each independent run, shape (runs,)."""
     falls: int
@@ -301,24 +295,9 @@ class RareFalls:
         low = 1.0 / (rate + reach) if rate + reach > 0.0 else math.inf
         return low, 1.0 / (rate - reach) if rate > reach else math.inf
 
-    def __repr__(self) -> str:
-        """One line: the mean with its interval."""
-        low, high = self.interval
-        roughness = f"{self.roughness:.4g} {self.runner.label('m')}"
-        return (
-            f"<RareFalls of {self.word} on steps of {roughness}: "
-            f"{self.mean_strides:.4g} strides, {low:.4g} to {high:.4g}>"
-        )
-
     def as_json(self) -> dict[str, object]:
         """The estimate as a plain object."""
-        return {
-            **self.runner.record(),
-            **entries(self, "word", "roughness", "mean_strides", "interval"),
-            "confidence": CONFIDENCE,
-            **entries(self, "falls", "strides"),
-            "runs": len(self.rates),
-        }
+        return super().as_json() | entries(self, "falls", "strides") | {"runs": len(self.rates)}
 
 
 def rare_falls(

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..blocks import in_order, run_blocks
+from ..blocks import in_order
 from ..checks import check_size, checked_whole
 from ..errors import InputError
 from ..library.batch import TOLERANCE, Batch
@@ -23,6 +23,7 @@ from ..library.tables import Table
 from ..terminal.progress import progress_bar
 from ..variables.parameters import RunnerLike
 from ..variables.table import STATES, Model, full_names
+from .in_blocks import in_blocks, sizes_of
 
 if TYPE_CHECKING:
     import xarray
@@ -214,15 +215,11 @@ def _in_blocks(
     batch: Batch, strides: int, executor: Executor | None, progress: bool
 ) -> dict[str, NDArray[Any]]:
     """Strides of all runners, computed block by block."""
-    runners = len(batch)
-    size = min(MAX_IN_A_BLOCK, max(MIN_IN_A_BLOCK, STRIDES_IN_A_BLOCK // strides))
-    blocks = [batch.part(first, min(size, runners - first)) for first in range(0, max(runners, 1), size)]
+    largest = min(MAX_IN_A_BLOCK, max(MIN_IN_A_BLOCK, STRIDES_IN_A_BLOCK // strides))
+    sizes = sizes_of(len(batch), largest) or [0]
+    blocks = [batch.part(number * largest, size) for number, size in enumerate(sizes)]
     work = partial(_strides_of, strides)
-    with (
-        progress_bar("strides", runners, "runners", progress) as bar,
-        run_blocks(work, blocks, executor) as results,
-    ):
-        parts = in_order(results, lambda number: bar.update(len(blocks[number])))
+    parts = in_order(in_blocks(work, blocks, sizes, "strides", "runners", executor, progress))
     return {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
 
 

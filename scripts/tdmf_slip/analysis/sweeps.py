@@ -14,7 +14,6 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ..blocks import run_blocks
 from ..checks import check_size, refusal
 from ..errors import InputError, RunError, TdmfSlipError
 from ..files.resume import Resumed
@@ -30,6 +29,7 @@ from ..variables.parameters import RunnerLike
 from ..variables.table import FRICTION, Model, by_full_name, model_named
 from ..variables.variable import Given, Values
 from .along import borders_between, gaits_over
+from .in_blocks import in_blocks
 from .search import first_gait
 
 if TYPE_CHECKING:
@@ -135,14 +135,10 @@ def sweep(
             with progress_bar("sweep", len(values), "gaits", progress) as bar:
                 made.write({}, _row(block, along, values, bar.update))
     else:
-        with (
-            progress_bar("sweep", len(rows), "rows", progress) as bar,
-            run_blocks(partial(columns_of_row, along, values), blocks, executor) as results,
-        ):
-            bar.update(len(rows) - len(missing))
-            for number, columns in results:
-                made.write(places[missing[number]], columns)
-                bar.update()
+        work, done = partial(columns_of_row, along, values), len(rows) - len(missing)
+        one = [1] * len(blocks)
+        for number, columns in in_blocks(work, blocks, one, "sweep", "rows", executor, progress, done=done):
+            made.write(places[missing[number]], columns)
     found = Sweep(made.data.drop_vars("borders"), _borders_dataset(runner, made.data, along))
     made.finish(found.gaits, {"borders": found.borders})
     words = found.gaits["word"]

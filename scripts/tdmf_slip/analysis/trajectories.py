@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import math
+import cmath
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -39,6 +39,7 @@ OUTPUT_NAMES = tuple(
     for member in OUTPUTS[group].names or ()
 )
 """The unit's outputs that are no states and not the last stride's."""
+COMPLEX_STEP = 1e-30
 DIFFERENTIABLE = STATES[: c.TDMF_VARIED_COUNT]
 """States with a derivative: the mechanical ones, and the works of hip and leg."""
 VARIED_OUTPUTS = (
@@ -232,36 +233,27 @@ def _run(
 
 
 def _start_by(runner: Runner, section: NDArray[np.float64], name: str) -> list[float]:
-    """Derivative of the state at an apex, which has the foot at x = 0, by a coordinate or a parameter."""
-    _, _, length, angle, length_rate, angle_rate = section
-    d_height, d_speed, d_length, d_angle, d_length_rate, d_angle_rate = map(
-        float, (name == coordinate for coordinate in COORDINATES)
-    )
-    body, foot = runner["body.mass"], runner["foot.mass"]
+    """Derivative of the state at an apex, which has the foot at x = 0, by a coordinate or a parameter.
+
+    By a complex step, which is exact to rounding.
+    """
+    values: dict[str, complex] = dict(zip(COORDINATES, section.tolist(), strict=True))
+    values |= {of: runner[of] for of in ("body.mass", "foot.mass", "ground.height", "ground.slope")}
+    if name not in values:
+        return [0.0] * len(STATES)
+    values[name] += 1j * COMPLEX_STEP
+    height, speed, length, angle, length_rate, angle_rate, body, foot, ground, slope = values.values()
     share = body / (body + foot)
-    d_share = {"body.mass": foot, "foot.mass": -body}.get(name, 0.0) / (body + foot) ** 2
-    slope = math.tan(runner["ground.slope"])
-    d_slope = (1.0 + slope**2) * (name == "ground.slope")
-    sine, cosine = math.sin(angle), math.cos(angle)
     # The body from the foot, and its velocity, turn with the leg.
-    x, y = -length * sine, length * cosine
+    x, y = -length * cmath.sin(angle), length * cmath.cos(angle)
     vx, vy = x / length * length_rate - y * angle_rate, y / length * length_rate + x * angle_rate
-    d_x = x / length * d_length - y * d_angle
-    d_y = y / length * d_length + x * d_angle
-    d_vx = x / length * d_length_rate - y * d_angle_rate - cosine * angle_rate * d_length - vy * d_angle
-    d_vy = y / length * d_length_rate + x * d_angle_rate - sine * angle_rate * d_length + vx * d_angle
-    by = {
-        "foot.y": d_height
-        + float(name == "ground.height")
-        + d_slope * share * x
-        + slope * (d_share * x + share * d_x)
-        - d_share * y
-        - share * d_y,
-        "foot.vx": d_speed - d_share * vx - share * d_vx,
-        "foot.vy": -d_share * vy - share * d_vy,
-        "leg.length": d_length,
-        "leg.angle": d_angle,
-        "leg.length_rate": d_length_rate,
-        "leg.angle_rate": d_angle_rate,
+    state = {
+        "foot.y": height + ground + share * (cmath.tan(slope) * x - y),
+        "foot.vx": speed - share * vx,
+        "foot.vy": -share * vy,
+        "leg.length": length,
+        "leg.angle": angle,
+        "leg.length_rate": length_rate,
+        "leg.angle_rate": angle_rate,
     }
-    return [by.get(state, 0.0) for state in STATES]
+    return [complex(state.get(of, 0.0)).imag / COMPLEX_STEP for of in STATES]

@@ -1,0 +1,42 @@
+"""Many starts or runners in blocks on any executor, with a bar that counts them."""
+
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import Executor
+from typing import TypeVar
+
+from ..blocks import run_blocks
+from ..terminal.progress import progress_bar
+
+Block = TypeVar("Block")
+Result = TypeVar("Result")
+
+
+def sizes_of(total: int, largest: int) -> list[int]:
+    """Sizes of the blocks into which so many are split."""
+    return [min(largest, total - first) for first in range(0, total, largest)]
+
+
+def in_blocks(
+    work: Callable[[Block], Result],
+    blocks: Sequence[Block],
+    sizes: Sequence[int],
+    title: str,
+    unit: str,
+    executor: Executor | None = None,
+    progress: bool = False,
+    *,
+    done: int = 0,
+) -> Iterator[tuple[int, Result]]:
+    """Number and result of each block, in the order in which they are done.
+
+    `sizes` say how many of the units that the bar counts each block holds, and `done` how many were done
+    before. See `run_blocks` for the executor.
+    """
+    with (
+        progress_bar(title, done + sum(sizes), unit, progress) as bar,
+        run_blocks(work, blocks, executor) as results,
+    ):
+        bar.update(done)
+        for number, result in results:
+            yield number, result
+            bar.update(sizes[number])
