@@ -12,7 +12,7 @@ from tdmf_slip import InputError, Runner, find_gait, fit
 from tdmf_slip.fitting import problem as problem_module
 from tdmf_slip.fitting.measurements import Measured, Measurements, measurements_of, shipped
 from tdmf_slip.fitting.problem import Prior, Problem, Request
-from tdmf_slip.fitting.result import QUANTILE, identified, is_likely
+from tdmf_slip.fitting.result import identified
 from tdmf_slip.fitting.search import Across
 from tdmf_slip.library.fixed_point import gait_near
 from tdmf_slip.library.quantities import quantities_of, unit_of
@@ -20,7 +20,12 @@ from tdmf_slip.variables.parameters import read_parameters
 
 FAST_HUMAN = Path(__file__).with_name("fast_human.toml")
 TABLE = "speed [m/s],speed_error [m/s],frequency [Hz],frequency_error [Hz]\n"
-SLIPPING = {"ground.friction": 0.2}
+FAST = {
+    "speed": Measured(3.4, 0.03),
+    "frequency": Measured(2.82, 0.03),
+    "peak_force": Measured(2068.0, 20.0),
+}
+EACH = ["hip.touchdown_angle", "hip.stance_torque"]
 
 
 MEASURED = ("speed", "frequency", "stance_time", "duty_factor", "slip_distance", "peak_force")
@@ -65,16 +70,7 @@ def test_gaits_that_are_lost_on_the_way_are_told():
     ("runner", "model", "row", "free"),
     [
         ({}, "full", {"speed": Measured(0.3, 0.01)}, ["hip.stance_torque"]),
-        (
-            read_parameters(FAST_HUMAN),
-            "reduced",
-            {
-                "speed": Measured(3.4, 0.03),
-                "frequency": Measured(2.82, 0.03),
-                "peak_force": Measured(2068.0, 20.0),
-            },
-            ["leg.stiffness", "hip.touchdown_angle", "hip.stance_torque"],
-        ),
+        (read_parameters(FAST_HUMAN), "reduced", FAST, ["leg.stiffness", *EACH]),
     ],
 )
 def test_the_search_goes_on_across_folds(runner, model, row, free):
@@ -89,16 +85,9 @@ def test_the_search_goes_on_across_folds(runner, model, row, free):
 
 def test_the_search_across_folds_has_exact_derivatives():
     row = measured(find_gait({"ground.friction": 0.6}))
-    request = Request(
-        Measurements((row, row), "a gait"),
-        shared=("leg.stiffness",),
-        each=("leg.damping",),
-        priors=(Prior(1.0, 0.1, "leg.stiffness"),),
-        robust=False,
-        scale_errors=False,
-        profiled=(),
-        starts=1,
-    )
+    prior = Prior(1.0, 0.1, "leg.stiffness")
+    shared, each = ("leg.stiffness",), ("leg.damping",)
+    request = Request(Measurements((row, row), "a gait"), shared, each, (prior,), False, False, (), 1)
     problem = Problem(request, find_gait({"ground.friction": 0.55}))
     across = Across(problem, np.zeros(3))
     at = across.begin + 1e-3
@@ -117,19 +106,6 @@ def test_two_measurements_of_one_speed_are_met_in_their_middle():
     assert found.chi_square == pytest.approx(2.0, rel=1e-6) and found.degrees_of_freedom == 1
     assert found.probability == pytest.approx(math.erfc(1.0), rel=1e-6)
     assert "chi square 2 with 1 degrees of freedom, probability 0.16" in found.as_text()
-
-
-def test_data_are_met_up_to_the_chance_of_one_in_a_hundred():
-    """That is 6.635 with one degree of freedom and -2 log 0.01 = 9.21 with two."""
-    assert is_likely(6.4, 1) and is_likely(9.0, 2) and is_likely(0.9, 0)
-    assert not is_likely(6.8, 1) and not is_likely(9.4, 2) and not is_likely(1.1, 0)
-
-
-@pytest.mark.parametrize(("size", "count"), [(1.2, 1), (1.9, 1), (2.0, 0), (2.5, 0)])
-def test_a_parameter_is_told_badly_where_its_interval_is_as_wide_as_itself(size, count):
-    """The interval is 1.96 errors to each side; the error over the value is one over the singular value."""
-    known = identified(np.array([[size]]), ["leg.damping"], np.array([0.2]), QUANTILE)
-    assert len(known.unidentified) == count and pytest.approx(1.95996, rel=1e-5) == QUANTILE
 
 
 def test_a_fit_ends_after_so_many_strides_and_says_so(monkeypatch):
@@ -175,15 +151,8 @@ def test_what_acts_as_a_sum_is_one_combination():
 
 def test_what_acts_as_a_product_is_one_combination():
     """Times and places do not tell masses, stiffness, damping and torques but their ratios."""
-    scaled = [
-        "body.mass",
-        "foot.mass",
-        "leg.stiffness",
-        "leg.damping",
-        "hip.stance_torque",
-        "hip.kp",
-        "hip.kd",
-    ]
+    scaled = ["body.mass", "foot.mass", "leg.stiffness", "leg.damping"]
+    scaled += ["hip.stance_torque", "hip.kp", "hip.kd"]
     names = ("speed", "frequency", "stance_time", "slip_distance")
     true = [find_gait({"ground.friction": friction}) for friction in (0.6, 0.45, 1.3)]
     data = Measurements(tuple(measured(gait, names, 1e-4) for gait in true), "three gaits")
@@ -195,11 +164,11 @@ def test_what_acts_as_a_product_is_one_combination():
         assert estimate.value == pytest.approx(gait.friction, rel=1e-6) and np.isfinite(estimate.high)
 
 
-def test_a_combination_that_is_poorly_identified_is_reported():
-    gait = find_gait({"ground.friction": 0.6})
-    row = {"speed": Measured(gait.stride["speed"], 3.0 * gait.stride["speed"])}
-    (combination,) = fit(None, Measurements((row,), "a poor measurement"), ["hip.stance_torque"]).unidentified
-    assert np.isfinite(combination.standard_error) and combination.standard_error > 0.5
+def test_a_combination_is_poorly_identified_where_its_interval_is_as_wide_as_itself():
+    """The interval is 1.96 errors to each side; the error over the value is one over the singular value."""
+    for size, count in ((1.2, 1), (1.9, 1), (2.0, 0), (2.5, 0)):
+        known = identified(np.array([[size]]), ["leg.damping"], np.array([0.2]), 1.95996)
+        assert [of.standard_error for of in known.unidentified] == pytest.approx([1.0 / size] * count)
 
 
 def test_a_parameter_at_the_end_of_its_range_is_told():
@@ -237,36 +206,26 @@ def test_semicolons_and_tabulators_may_be_between_cells(tmp_path, separator, row
     ("text", "words"),
     [
         ("", "the header and the rows are missing"),
-        ("# nothing\n\n", "the header and the rows are missing"),
         (TABLE, "the rows are missing"),
         ("speed,speed_error [m/s]\n1,0.1\n", "has no unit; allowed: speed [m/s]"),
         ("speed [kg],speed_error [m/s]\n1,0.1\n", "'kg' is no unit of speed; allowed: speed [m/s]"),
         ("sped [m/s],speed_error [m/s]\n1,0.1\n", "near matches: speed"),
         ("speed [m/s]\n1\n", "column speed without speed_error"),
-        ("speed_error [m/s]\n1\n", "column speed_error without speed"),
         ("speed [m/s],speed [m/s],speed_error [m/s]\n1,1,1\n", "there twice"),
         (f"{TABLE}1.0,0,0.04,0.001\n", "row 1: speed_error = 0 is not allowed"),
-        (f"{TABLE}1.0,-0.1,0.04,0.001\n", "speed_error = -0.1 is not allowed"),
         (f"{TABLE}1.0,0.1,0.04,nan\n", "frequency_error = nan is not allowed"),
         (f"{TABLE}1.0,0.1,0.04,0.001\nnan,0.1,0.04,0.001\n", "row 2: speed = nan is not allowed"),
-        (f"{TABLE}inf,0.1,0.04,0.001\n", "speed = inf is not allowed"),
         (f"{TABLE}1.0,,0.04,0.001\n", "speed_error = nothing is not allowed"),
         (f"{TABLE},,,\n", "nothing is measured"),
         (f"{TABLE}fast,0.1,0.04,0.001\n", "speed = fast is not allowed"),
         (f"{TABLE}1.0,0.1\n", "2 cells under 4 columns"),
         ("duty_factor [1],duty_factor_error [1]\n1.2,0.1\n", "a number 0 to 1"),
-        (
-            f"{TABLE}1e300,0.1,0.04,0.001\n",
-            "speed = 1e300 is not allowed; allowed: a number 0 to 1e+09",
-        ),
-        (f"{TABLE}1.0,1e300,0.04,0.001\n", "row 1: speed_error = 1e300 is not allowed"),
-        (f"{TABLE}1.0,1e-300,0.04,0.001\n", "row 1: speed_error = 1e-300 is not allowed"),
+        (f"{TABLE}1e300,0.1,0.04,0.001\n", "speed = 1e300 is not allowed; allowed: a number 0 to 1e+09"),
         (f"{TABLE}1.0,5e-324,0.04,0.001\n", "row 1: speed_error = 5e-324 is not allowed"),
         (f"{TABLE}1.0,0.1,0.04,0.001\n100,0.9e-10,0.04,0.001\n", "row 2: speed_error = 0.9e-10 is not"),
         (f"{TABLE}1.0,0.1,{'4' * 140000},0.001\n", "line 2, column 3: a cell of 140,000 characters"),
         (f"{'x' * 140000}\n1\n", "line 1, column 1: a cell of 140,000 characters; allowed: 100"),
         (f'{TABLE}1.0,0.1,"0.04,0.001\n', "line 2"),
-        (f"{TABLE}1.0;0.1;0.04;0.001\n", "1 cells under 4 columns"),
     ],
 )
 def test_a_bad_table_gets_one_sentence(tmp_path, command, text, words):
@@ -360,18 +319,6 @@ def test_the_numbers_of_fast_runners_are_made_of_those_published():
         for name, (mean, deviation) in ((name, of[number]) for name, of in made.items()):
             assert row[name].value == pytest.approx(mean, rel=1e-4)
             assert row[name].error == pytest.approx(deviation / np.sqrt((11, 9)[number]), rel=2e-3)
-
-
-def test_one_leg_runs_at_eight_speeds():
-    """What is published of a runner, its frequencies and forces, is within its errors with one stiffness."""
-    each = ["hip.stance_torque", "hip.touchdown_angle"]
-    runner = read_parameters("human_running")
-    found = fit(runner, "human_running", ["leg.stiffness"], vary_each=each, model="reduced")
-    assert found.converged and found.degrees_of_freedom == 7 and found.probability > 0.1
-    stiffness = found.parameters["leg.stiffness"]
-    assert 14e3 < stiffness.low < stiffness.high < 16.5e3
-    torques = [found.parameters[f"hip.stance_torque[{row}]"].value for row in range(1, 9)]
-    assert torques == sorted(torques)
 
 
 @pytest.mark.parametrize("data", [3, "missing.csv"])
