@@ -5,7 +5,7 @@ import datetime
 import difflib
 import os
 import reprlib
-from collections.abc import Container, Iterable, Iterator
+from collections.abc import Container, Iterable, Iterator, Sequence
 from decimal import Decimal
 from numbers import Integral, Real
 from pathlib import Path
@@ -159,3 +159,11 @@ def near_matches(name: object, names: Iterable[str]) -> str:
         return ""
     near = difflib.get_close_matches(name, names, n=3, cutoff=0.5)
     return f"; near matches: {', '.join(near)}" if near else ""
+
+
+def check_names(given: Iterable[object], known: Sequence[str], what: str, also: Iterable[str] = ()) -> None:
+    """Refuse names that are not among those known, with a hint at those and others that may be meant."""
+    for name in given:
+        if not is_one_of(name, known):
+            near = near_matches(name, (*known, *also))
+            raise InputError(f"{what}: {shown(name)} is not allowed; allowed: {', '.join(known)}{near}")

@@ -354,7 +354,7 @@ def test_units_and_errors_may_be_given_beside_the_data(kind, tmp_path):
     [
         (COLUMNS, {"speed": "kg"}, ERRORS, "'kg' is no unit of speed"),
         (COLUMNS, {"speed": 3}, ERRORS, "no unit of speed"),
-        (COLUMNS, {"sped": "m/s"}, ERRORS, "units: 'sped' is no quantity.*speed"),
+        (COLUMNS, {"sped": "m/s"}, ERRORS, "units: 'sped' is not allowed.*speed"),
         (COLUMNS, {}, {"speed": "1 %"}, "stance_time without stance_time_error.*errors="),
         (COLUMNS, {}, ERRORS | {"speed": "1 m/s"}, "errors: speed = '1 m/s' is not allowed"),
         (COLUMNS, {}, ERRORS | {"speed": [0.1]}, "errors: speed"),

@@ -24,7 +24,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..checks import is_one_of, near_matches, number_of, refusal, shown
+from ..checks import check_names, number_of, refusal
 from ..errors import InputError
 from ..library.gait import Gait, check_is_gait
 from ..library.runner import Runner
@@ -106,14 +106,11 @@ def linearize(gait: Gait, inputs: Sequence[str]) -> Linearization:
 
 def _checked_names(given: object, model: Model) -> tuple[str, ...]:
     chosen = tuple(name for name in model.settings if not name.startswith("ground."))
-    allowed = f"allowed: {', '.join(chosen)}"
-    names = full_names(given, "inputs", f"one or more in a list: {', '.join(chosen)}", model.aliases)
+    allowed = f"one or more in a list: {', '.join(chosen)}"
+    names = full_names(given, "inputs", allowed, model.aliases)
     if not names:
-        raise InputError(f"inputs = {shown(given)} is not allowed; one or more in a list; {allowed}")
-    for name in names:
-        if not is_one_of(name, chosen):
-            near = near_matches(name, (*chosen, *model.aliases))
-            raise InputError(f"inputs: {shown(name)} is not allowed; {allowed}{near}")
+        raise refusal("inputs", given, allowed)
+    check_names(names, chosen, "inputs", model.aliases)
     twice = next((name for name in names if names.count(name) > 1), None)
     if twice is not None:
         raise InputError(f"inputs: {twice} is named twice; allowed: each once")

@@ -16,7 +16,7 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..checks import is_one_of, near_matches, number_of, refusal, shown
+from ..checks import check_names, number_of, refusal
 from ..errors import InputError
 from ..given import ends_given, numbers_of, row_of
 from ..library.gait import Gait
@@ -140,12 +140,7 @@ def _checked_limits(
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     own = model.gait.runner.model
     given = by_full_name(limits, "limits", "pairs of numbers by setting", own.aliases)
-    unknown = next((name for name in given if not is_one_of(name, model.inputs)), None)
-    if unknown is not None:
-        raise InputError(
-            f"limits: {shown(unknown)} is not allowed; allowed: {', '.join(model.inputs)}"
-            f"{near_matches(unknown, model.inputs)}"
-        )
+    check_names(given, model.inputs, "limits")
     low, high = np.empty((2, len(model.inputs)))
     for k, (name, nominal) in enumerate(zip(model.inputs, model.nominal, strict=True)):
         variable, asked = own.variables[name], given.get(name)

@@ -9,7 +9,7 @@ from itertools import islice
 import numpy as np
 
 from ..analysis.search import periodic_gait
-from ..checks import checked_flag, checked_whole, is_one_of, shown
+from ..checks import check_names, checked_flag, checked_whole
 from ..errors import InputError, RunError
 from ..library.fixed_point import gait_near
 from ..library.gait import Gait
@@ -34,13 +34,11 @@ def profiled_names(profile: object, names: Sequence[str], model: Model) -> tuple
         return tuple(names) if profile else ()
     allowed = "True, False, or a list of names of varied parameters"
     chosen = full_names(profile, "profile", allowed, model.aliases)
-    for name in chosen:
-        if not is_one_of(name, names):
-            raise InputError(f"profile: {shown(name)} does not vary; allowed: {', '.join(names)}")
+    check_names(chosen, names, "profile")
     return chosen
 
 
-def check_names(shared: Sequence[str], each: Sequence[str], measurements: Measurements, priors: int) -> None:
+def check_counts(shared: Sequence[str], each: Sequence[str], measurements: Measurements, priors: int) -> None:
     """Refuse names that are shared and not, and more of them than data."""
     both = next((name for name in shared if name in each), None)
     if both is not None:
@@ -154,7 +152,7 @@ def fit(
     alone = [prior for prior in known if prior.name not in shared]
     begun = Runner(runner, model=model).replace({prior.name: prior.value for prior in alone})
     shared = (*shared, *(prior.name for prior in alone))
-    check_names(shared, each, measurements, len(known))
+    check_counts(shared, each, measurements, len(known))
     profiled = profiled_names(profile, (*shared, *each), own)
     request = Request(
         measurements=measurements,

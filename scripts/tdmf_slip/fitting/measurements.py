@@ -9,7 +9,7 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from ..analysis.targeted import MAXIMUM, MINIMUM
-from ..checks import is_one_of, near_matches, number_in, number_of, path_of, refusal, shown
+from ..checks import check_names, near_matches, number_in, number_of, path_of, refusal, shown
 from ..errors import InputError, reason
 from ..files.whole import cells_of
 from ..given import is_table, mapping_of, numbers_of, row_of
@@ -110,7 +110,10 @@ def measurements_of(
         if units or errors:
             raise InputError("units, errors: Measurements have both; allowed: with a table or a file")
         return given
-    units, errors = (_by_quantity(of, name, model) for of, name in ((units, "units"), (errors, "errors")))
+    units = mapping_of(units, "units", "a mapping of quantities")
+    errors = mapping_of(errors, "errors", "a mapping of quantities")
+    check_names(units, measurable(model), "units")
+    check_names(errors, measurable(model), "errors")
     if is_table(given) or isinstance(given, Mapping):
         where, cells = "data", _table_cells(given, model)
         units = {name: unit_of(name, model) for name in measurable(model)} | units
@@ -148,16 +151,6 @@ def measurements_of(
         _row(factors, row, f"{where}, row {number}", model.is_own) for number, row in enumerate(rows, start=1)
     ]
     return Measurements(tuple(measured), where)
-
-
-def _by_quantity(given: object, what: str, model: Model) -> dict[str, Any]:
-    """Units or errors by the names of quantities."""
-    found, known = mapping_of(given, what, "a mapping of quantities"), measurable(model)
-    for name in found:
-        if not is_one_of(name, known):
-            near = near_matches(name, known)
-            raise InputError(f"{what}: {shown(name)} is no quantity{near}; allowed: {', '.join(known)}")
-    return found
 
 
 def _table_cells(given: object, model: Model) -> list[list[str]]:

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..analysis.search import periodic_gait
-from ..checks import checked, refusal, shown
+from ..checks import check_names, checked, refusal
 from ..errors import InputError
 from ..files.resume import Resumed
 from ..files.whole import check_destination
@@ -88,11 +88,7 @@ class ViableController:
         runner = Runner(runner_in(viable), model=viable.attrs["model"])
         self.columns = self.grid.columns(runner)
         given = by_full_name(wish, "wish", "a mapping of settings to numbers", runner.model.aliases)
-        unknown = next((name for name in given if name not in self.grid.actions), None)
-        if unknown is not None:
-            raise InputError(
-                f"wish: {shown(unknown)} is not allowed; allowed: {', '.join(self.grid.actions)}"
-            )
+        check_names(given, (*self.grid.actions,), "wish")
         self.wish = tuple(
             float(runner.model.variables[name].value_of(given.get(name, runner[name]), "wish"))
             for name in self.grid.actions
