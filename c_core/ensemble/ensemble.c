@@ -4,6 +4,7 @@
 
 #include "batch.h"
 #include "member.h"
+#include "page_map.h"
 #include "request_checks.h"
 #include "threads.h"
 
@@ -18,7 +19,8 @@ static const int widths[TDMF_INSTRUCTIONS_COUNT] = {
 
 bool tdmf_has_instructions(tdmf_instructions instructions) {
     const int number = (int)instructions;
-    const tdmf_model_kind model = tdmf_model_in_lanes(tdmf_page_for(TDMF_RETURN_MAP, false));
+    const tdmf_ensemble any = {.page = tdmf_runner_kind ? NULL : (const tdmf_page *)tdmf_pages[0].model};
+    const tdmf_model_kind model = tdmf_kind_of(&any)->model(&any, false);
     return number >= 0 && number < TDMF_INSTRUCTIONS_COUNT && tdmf_batch_has_width(&model, widths[number]);
 }
 
@@ -39,7 +41,7 @@ typedef struct {
     bool takes_plain;
     int64_t next; /* start */
     tdmf_member *members;
-    int places[TDMF_PAGE_STATE_COUNT]; /* on the page, of the runner's states */
+    int places[TDMF_PLACE_LIMIT]; /* on the page, of the runner's states */
 } page_job;
 
 /* Begins the next runner that has something to run. False where there is none. */
@@ -66,19 +68,25 @@ static tdmf_continuation at_end(void *context, int64_t number, tdmf_page_run *ru
     return begin_next(job, member) ? TDMF_GOES_ON_CHANGED : TDMF_IS_OVER;
 }
 
-/* Memory of a batch, in one piece; `numbers` holds parameters and states of each run. */
+/* Memory of a batch, in one piece; `numbers` holds parameters and states of each run, and states held. */
 typedef struct {
     tdmf_page_run *runs;
     tdmf_member *members;
+    tdmf_event_row *rows; /* `events` of each run */
     tdmf_run_outcome *outcomes;
     double *until, *numbers;
+    int events;
 } batch_memory;
 
-static bool find_memory(batch_memory *memory, int64_t count, int number_count) {
+static bool find_memory(batch_memory *memory, int64_t count, int number_count,
+                        const tdmf_ensemble_notes *notes) {
     const size_t places = (size_t)count;
     const size_t numbers = places * (size_t)(number_count + 1) * sizeof(double);
-    char *all = calloc(
-        1, numbers + places * (sizeof *memory->runs + sizeof *memory->members + sizeof *memory->outcomes));
+    memory->events = notes ? notes->event_room : 0;
+    const size_t events = places * (size_t)memory->events;
+    char *all =
+        calloc(1, numbers + events * sizeof *memory->rows +
+                      places * (sizeof *memory->runs + sizeof *memory->members + sizeof *memory->outcomes));
     memory->until = (double *)(void *)all;
     if (!all) {
         return false;
@@ -86,30 +94,31 @@ static bool find_memory(batch_memory *memory, int64_t count, int number_count) {
     memory->numbers = memory->until + count;
     memory->runs = (tdmf_page_run *)(void *)(all + numbers);
     memory->members = (tdmf_member *)(void *)(memory->runs + count);
-    memory->outcomes = (tdmf_run_outcome *)(void *)(memory->members + count);
+    memory->rows = (tdmf_event_row *)(void *)(memory->members + count);
+    memory->outcomes = (tdmf_run_outcome *)(void *)(memory->rows + events);
     return true;
 }
 
 /* Begins the first runners, one in each place. Returns how many there are. */
-static int64_t begin_first(page_job *job, const tdmf_page_part *page, const batch_memory *memory,
+static int64_t begin_first(page_job *job, const tdmf_model_kind *model, const batch_memory *memory,
                            int64_t places) {
     const tdmf_ensemble *ensemble = job->ensemble;
-    const tdmf_model_kind *model = page->model;
     const tdmf_page_run run = {.tolerance = ensemble->relative_tolerance,
                                .order = tdmf_page_order(ensemble->relative_tolerance),
                                .observes = ensemble->strides ? TDMF_OBSERVE_USUAL : TDMF_OBSERVE_NOTHING,
                                .event_limit = TDMF_EVENT_LIMIT};
-    const tdmf_member member = {.ensemble = ensemble,
-                                .page = page,
-                                .places = job->places,
-                                .begins = tdmf_event_on_part(page, EVENT_begins),
-                                .apex = tdmf_event_on_part(page, EVENT_apex)};
+    tdmf_member member = {.ensemble = ensemble, .kind = tdmf_kind_of(ensemble), .model = model};
+    member.kind->settle_in(&member, job->takes_plain, job->places);
     for (int64_t i = 0; i < places; ++i) {
-        memory->runs[i] = run;
-        memory->runs[i].p = memory->numbers + i * (model->parameter_count + model->state_count);
-        memory->runs[i].x = memory->runs[i].p + model->parameter_count;
+        tdmf_page_run *own = &memory->runs[i];
+        *own = run;
+        own->p = memory->numbers + i * (model->parameter_count + 2 * model->state_count);
+        own->x = own->p + model->parameter_count;
+        own->log = memory->rows + i * memory->events;
+        own->log_size = memory->events;
         memory->members[i] = member;
-        memory->members[i].run = &memory->runs[i];
+        memory->members[i].run = own;
+        memory->members[i].held = own->x + model->state_count;
         memory->members[i].until = &memory->until[i];
         if (!begin_next(job, &memory->members[i])) {
             return i;
@@ -131,30 +140,21 @@ static void add_work(const page_job *job, int64_t places, const tdmf_batch_work 
     }
 }
 
-/* The places on a page of all states of the runner's page; -1: the page has none. */
-static void find_places(const tdmf_page_part *page, int places[TDMF_PAGE_STATE_COUNT]) {
-    for (int i = 0; i < TDMF_PAGE_STATE_COUNT; ++i) {
-        places[i] = tdmf_state_on_part(page, i);
-    }
-}
-
 /* Runs the runners of one page. */
 static bool run_on_page(page_job *job, int64_t count, tdmf_ensemble_work *work) {
     const tdmf_ensemble *ensemble = job->ensemble;
-    const tdmf_page_part *page = tdmf_page_for(ensemble->map, job->takes_plain);
-    const tdmf_model_kind model = tdmf_model_in_lanes(page);
+    const tdmf_model_kind model = tdmf_kind_of(ensemble)->model(ensemble, job->takes_plain);
     const int width = widths[ensemble->instructions];
     const int64_t most = (int64_t)ensemble->threads * TDMF_RUNS_OF_A_LANE * (width == 0 ? 8 : width);
     const int64_t places = count < most ? count : most;
     batch_memory memory;
     tdmf_batch_work made = {0};
-    if (!find_memory(&memory, places, model.parameter_count + model.state_count)) {
+    if (!find_memory(&memory, places, model.parameter_count + 2 * model.state_count, ensemble->notes)) {
         return false;
     }
     job->members = memory.members;
-    find_places(page, job->places);
     tdmf_batch batch = {.runs = memory.runs,
-                        .count = begin_first(job, page, &memory, places),
+                        .count = begin_first(job, &model, &memory, places),
                         .until = memory.until,
                         .outcomes = memory.outcomes,
                         .at_end = at_end,
@@ -184,7 +184,7 @@ bool tdmf_run_ensemble(const tdmf_ensemble *ensemble, tdmf_ensemble_end *ends, t
         return false;
     }
     for (int64_t i = 0; i < count; ++i) {
-        is_plain[i] = tdmf_member_is_plain(ensemble, i);
+        is_plain[i] = tdmf_kind_of(ensemble)->is_plain(ensemble, i);
         ++of_page[is_plain[i]];
     }
     page_job jobs[2] = {{ensemble, ends, is_plain, false, 0, NULL, {0}},

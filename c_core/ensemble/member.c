@@ -1,112 +1,35 @@
-/* A runner at an apex: where it begins and where a stride closes, what it is set to, and its ground. */
+/* A runner at an apex: where it begins and where a stride closes, what it is set to, and when it is done. */
 #include "member.h"
 
-#include "drawn_ground.h"
-#include "mapped_stride.h"
-#include "page_fields.h"
-#include "page_run.h"
-#include "runner_pages.h"
-#include "settings.h"
 #include "settled.h"
 #include "stride_limits.h"
-#include "terrain.h"
 #include "threads.h"
-#include "words.h"
 
-#include "tdmf_slip/automaton.h"
-
-#include <math.h>
 #include <string.h>
 
-/* ---- the page ------------------------------------------------------------------------------------------ */
-
-runner_states tdmf_member_states(const tdmf_member *member) {
-    runner_states x;
-    memcpy(&x, tdmf_runner_model.state_defaults, sizeof x);
-    tdmf_give_states(member->page, member->run->x, &x);
-    return x;
+const tdmf_ensemble_case *tdmf_case_of(const tdmf_ensemble *ensemble, int64_t index) {
+    return &ensemble->cases[ensemble->case_of ? ensemble->case_of[index] : 0];
 }
 
-void tdmf_set_member_states(const tdmf_member *member, const runner_states *x) {
-    tdmf_take_states(member->page, x, member->run->x);
-}
-
-/* One of the runner's states. */
-#define STATE(member, name) state_at(member, (int)(offsetof(runner_states, name) / sizeof(double)))
-
-static double state_at(const tdmf_member *member, int of_runner) {
-    const int place = member->places[of_runner];
-    return place < 0 ? tdmf_runner_model.state_defaults[of_runner] : member->run->x[place];
-}
-
-static runner_parameters parameters_of(const tdmf_member *member) {
-    const tdmf_ensemble_rules *rules = &member->its_case->rules;
-    runner_parameters p = tdmf_page_parameters(&member->parameters, &member->inputs);
-    p.notes_compression = member->page->model == &tdmf_runner_model; /* a thrust needs it */
-    p.trips = tdmf_has_terrain(rules) && rules->trips;
-    p.keeps_friction = tdmf_has_terrain(rules);
-    return p;
-}
-
-/* Gives the page what is set before the start, on which nothing depends yet. */
-static void write_parameters(tdmf_member *member) {
-    const runner_parameters p = parameters_of(member);
-    tdmf_take_parameters(member->page, &p, member->run->p);
-}
-
-/* Gives the page what is set at an apex. The leg does work where its length is set. */
-static void write_settings(tdmf_member *member) {
-    const tdmf_model_kind *model = member->page->model;
-    const runner_parameters p = parameters_of(member);
-    double set[TDMF_PAGE_STATE_COUNT], before[TDMF_PAGE_STATE_COUNT];
-    tdmf_take_parameters(member->page, &p, set);
-    for (int i = 0; i < model->parameter_count; ++i) {
-        if (member->run->p[i] != set[i]) {
-            tdmf_page_set(model, member->run, false, i, set[i]);
-        }
-    }
-    runner_states x = tdmf_member_states(member);
-    memcpy(before, member->run->x, (size_t)model->state_count * sizeof *before);
-    tdmf_write_page_inputs(&member->inputs, &x);
-    tdmf_take_states(member->page, &x, set);
-    for (int i = 0; i < model->state_count; ++i) {
-        if (before[i] != set[i]) { /* an input */
-            tdmf_page_set(model, member->run, true, i, set[i]);
-        }
-    }
-}
-
-static double height_set(const tdmf_member *member) {
-    return tdmf_has_terrain(&member->its_case->rules)
-               ? member->inputs.ground.height + STATE(member, segment_height)
-               : member->inputs.ground.height;
-}
-
-/* The foot in flight. */
-static double foot_x(const tdmf_member *member) {
-    const double lower = member->its_case->model->body_share * STATE(member, length);
-    return STATE(member, com_x) + lower * sin(STATE(member, angle));
-}
-
-static double foot_y(const tdmf_member *member) {
-    const double lower = member->its_case->model->body_share * STATE(member, length);
-    return STATE(member, com_y) - lower * cos(STATE(member, angle));
+bool tdmf_give_up(tdmf_member *member, tdmf_fate fate) {
+    member->end->fate = (int)fate;
+    member->end->gait = -1;
+    return false;
 }
 
 /* ---- what is set --------------------------------------------------------------------------------------- */
 
-/* Where the stride under way is noted, or NULL. */
-static tdmf_ensemble_stride *open_stride_record(const tdmf_member *member) {
+int64_t tdmf_open_record(const tdmf_member *member) {
     const tdmf_ensemble *ensemble = member->ensemble;
     const int stride = member->end->strides - ensemble->first_stride;
     return ensemble->strides && stride >= 0 && stride < ensemble->stride_count
-               ? &ensemble->strides[member->index * ensemble->stride_count + stride]
-               : NULL;
+               ? member->index * ensemble->stride_count + stride
+               : -1;
 }
 
 static void set_all(tdmf_member *member, const int *settings, const double *values, int count) {
     for (int i = 0; i < count; ++i) {
-        tdmf_write_setting(settings[i], values[i], &member->parameters, &member->inputs);
+        member->kind->set(member, settings[i], values[i]);
     }
 }
 
@@ -119,21 +42,20 @@ static void set_given(tdmf_member *member, const tdmf_given_settings *given) {
 
 static void set_by_law(tdmf_member *member, const tdmf_affine_law *law) {
     double values[TDMF_SETTING_LIMIT];
-    tdmf_ensemble_stride *record = open_stride_record(member);
+    const int64_t record = tdmf_open_record(member);
     const tdmf_ensemble_end *end = member->end;
     tdmf_affine_settings(law, end->apex, member->number, (uint32_t)end->strides, values);
     set_all(member, law->settings, values, law->count);
-    if (record) {
-        memcpy(record->set, values, (size_t)law->count * sizeof *values);
+    if (record >= 0) {
+        memcpy(member->ensemble->strides[record].set, values, (size_t)law->count * sizeof *values);
     }
 }
 
-static bool is_set(const tdmf_member *member) {
+bool tdmf_has_settings(const tdmf_member *member) {
     return member->ensemble->given || member->its_case->rules.law;
 }
 
-/* Sets what the stride that begins is made with. */
-static void set(tdmf_member *member) {
+void tdmf_apply_settings(tdmf_member *member) {
     if (member->ensemble->given) {
         set_given(member, member->ensemble->given);
     }
@@ -142,44 +64,11 @@ static void set(tdmf_member *member) {
     }
 }
 
-/* ---- the plain page ------------------------------------------------------------------------------------ */
-
-static const tdmf_ensemble_case *case_of(const tdmf_ensemble *ensemble, int64_t index) {
-    return &ensemble->cases[ensemble->case_of ? ensemble->case_of[index] : 0];
+bool tdmf_member_changes(const tdmf_member *member) {
+    return tdmf_has_settings(member) || member->kind->changes(member);
 }
 
-/* Gives settings a value that the plain page would need for none of them. */
-static void set_to_one(const int *settings, int count, tdmf_parameters *parameters, tdmf_inputs *inputs) {
-    for (int i = 0; i < count; ++i) {
-        tdmf_write_setting(settings[i], 1.0, parameters, inputs);
-    }
-}
-
-bool tdmf_member_is_plain(const tdmf_ensemble *ensemble, int64_t index) {
-    const tdmf_ensemble_case *its_case = case_of(ensemble, index);
-    const tdmf_ensemble_rules *rules = &its_case->rules;
-    tdmf_parameters parameters = its_case->model->parameters;
-    tdmf_inputs inputs = its_case->inputs;
-    tdmf_page_point point;
-    const tdmf_ensemble_checkpoint *from = ensemble->goes_on ? &ensemble->checkpoints[index] : NULL;
-    if (rules->roughness != 0.0 || (tdmf_has_terrain(rules) && !tdmf_is_one_line(rules)) ||
-        (from && tdmf_mode_on_part(tdmf_page_for(ensemble->map, true), from->mode) < 0)) {
-        return false;
-    }
-    if (rules->law) {
-        set_to_one(rules->law->settings, rules->law->count, &parameters, &inputs);
-    }
-    if (ensemble->given) {
-        set_to_one(ensemble->given->settings, ensemble->given->count, &parameters, &inputs);
-    }
-    memcpy(&point.x, from ? from->states : tdmf_runner_model.state_defaults, sizeof point.x);
-    point.p = tdmf_page_parameters(&parameters, &inputs);
-    const bool has_extended = point.x.leg_work != 0.0 || point.x.external_work != 0.0;
-    tdmf_write_page_inputs(&inputs, &point.x);
-    return !has_extended && tdmf_suits_plain_page(&point);
-}
-
-/* ---- from an apex on ----------------------------------------------------------------------------------- */
+/* ---- where a run begins -------------------------------------------------------------------------------- */
 
 static double step_limit(const tdmf_ensemble *ensemble) {
     return ensemble->step_limit > 0 ? (double)ensemble->step_limit : (double)TDMF_STEP_LIMIT;
@@ -190,116 +79,8 @@ static void open_stride(tdmf_member *member, double steps_left) {
     member->steps_left = steps_left;
     member->steps_before = run->steps;
     run->step_limit = (long)steps_left;
-    *member->until = run->time + TDMF_LONGEST_STRIDE * member->its_case->model->scales.time;
+    *member->until = run->time + member->kind->longest_stride(member);
 }
-
-static bool give_up(tdmf_member *member, tdmf_fate fate) {
-    member->end->fate = (int)fate;
-    member->end->gait = -1;
-    return false;
-}
-
-static bool steps_by_stride(const tdmf_member *member) {
-    const tdmf_ensemble_rules *rules = &member->its_case->rules;
-    return rules->roughness != 0.0 && !tdmf_has_terrain(rules);
-}
-
-static bool slips_by_stride(const tdmf_member *member) {
-    const tdmf_ensemble_rules *rules = &member->its_case->rules;
-    return rules->friction_spread != 0.0 && !tdmf_has_terrain(rules);
-}
-
-bool tdmf_member_changes(const tdmf_member *member) {
-    return is_set(member) || steps_by_stride(member) || slips_by_stride(member);
-}
-
-/* Draws the ground of the stride that begins. */
-static void draw_ground(tdmf_member *member) {
-    const tdmf_ensemble_case *its_case = member->its_case;
-    const uint32_t stride = (uint32_t)member->end->strides;
-    if (steps_by_stride(member)) {
-        member->inputs.ground.height += tdmf_drawn_step(&its_case->rules, member->number, stride);
-    }
-    if (slips_by_stride(member)) {
-        member->inputs.ground.friction =
-            tdmf_drawn_friction(&its_case->rules, its_case->inputs.ground.friction, member->number, stride);
-    }
-}
-
-/* The foot is below the step that has just come. */
-static bool trips(const tdmf_member *member) {
-    const double slope = member->inputs.ground.slope;
-    return steps_by_stride(member) && member->its_case->rules.trips &&
-           cos(slope) * (foot_y(member) - height_set(member)) - sin(slope) * foot_x(member) < 0.0;
-}
-
-/* A line of the ground waits, because the foot is below it. */
-static bool is_below_ground(const tdmf_member *member) {
-    const bool may_wait = is_set(member) || steps_by_stride(member);
-    return may_wait && !tdmf_has_terrain(&member->its_case->rules) &&
-           (height_set(member) != STATE(member, height) ||
-            member->inputs.ground.slope != STATE(member, slope));
-}
-
-/* Begins a stride, on which its settings act. Returns false where the run has ended. */
-static bool begin_stride(tdmf_member *member) {
-    tdmf_ensemble_stride *record = open_stride_record(member);
-    draw_ground(member);
-    if (tdmf_member_changes(member)) {
-        write_settings(member);
-    }
-    if (record) {
-        record->began = 1;
-        record->ground_height = height_set(member);
-    }
-    return !trips(member) || give_up(member, TDMF_FATE_FELL);
-}
-
-/* A run of the reduced map starts anew at an apex where something may change: its leg is placed as it is set.
- */
-static void start_anew(tdmf_member *member) {
-    tdmf_page_run *run = member->run;
-    run->mode = run->chain = 0;
-    run->taken = run->above = run->late = 0;
-    run->stop_event = member->begins;
-    member->has_started = false;
-}
-
-static void see_from_world(tdmf_member *member) {
-    double world[TDMF_PAGE_STATE_COUNT];
-    const tdmf_page_run *run = member->run;
-    const size_t size = (size_t)member->page->model->state_count * sizeof *world;
-    const tdmf_mode_kind *mode = &member->page->model->modes[run->mode];
-    if (mode->to_world) {
-        memcpy(world, run->x, size);
-        mode->to_world(run->p, run->x, world);
-        memcpy(run->x, world, size);
-    }
-}
-
-/* Goes on from the apex at which a stride has closed. A runner that has not got onto its last ground in a
- * whole stride is below it. Returns false where the run has ended. */
-static bool begin_next_stride(tdmf_member *member) {
-    const bool is_reduced = member->ensemble->map == TDMF_REDUCED_MAP;
-    if (!is_reduced && is_below_ground(member)) {
-        return give_up(member, TDMF_FATE_FELL);
-    }
-    if (is_set(member)) {
-        set(member);
-    }
-    const bool has_ended = member->page->model->modes[member->run->mode].ends; /* there is no start */
-    if (!is_reduced || !(has_ended || tdmf_member_changes(member))) {
-        return begin_stride(member);
-    }
-    if (is_set(member)) {
-        write_settings(member);
-    }
-    see_from_world(member);
-    start_anew(member);
-    return true;
-}
-
-/* ---- where a run begins -------------------------------------------------------------------------------- */
 
 /* Clears what a run remembers; its counters go on. */
 static void forget(tdmf_member *member) {
@@ -309,46 +90,6 @@ static void forget(tdmf_member *member) {
     run->taken = run->above = run->late = 0;
     member->has_started = false;
     member->first_event = run->events;
-}
-
-/* Puts the run at the apex that a runner starts from. Returns false where it is none. */
-static bool start(tdmf_member *member, const double section[TDMF_SECTION_COUNT]) {
-    const tdmf_model_kind *model = member->page->model;
-    tdmf_inputs inputs = member->inputs;
-    tdmf_motion motion = {.time = 0.0};
-    const tdmf_system system = {member->its_case->model, &inputs};
-    runner_states x;
-    memcpy(&x, tdmf_runner_model.state_defaults, sizeof x);
-    if (tdmf_has_terrain(&member->its_case->rules)) {
-        tdmf_enter_terrain(member, member->end->foot_x, &x);
-    }
-    inputs.ground.height += tdmf_has_terrain(&member->its_case->rules) ? x.segment_height : 0.0;
-    tdmf_write_page_inputs(&member->inputs, &x);
-    if (member->ensemble->map == TDMF_REDUCED_MAP) {
-        double before[TDMF_PAGE_STATE_COUNT];
-        tdmf_set_member_states(member, &x);
-        memcpy(before, member->run->x, (size_t)model->state_count * sizeof *before);
-        model->sections[0].enter(member->run->p, before, section, member->run->x);
-        x = tdmf_member_states(member);
-        tdmf_write_page_state(&x, motion.state);
-    } else {
-        tdmf_section_state_at(system, member->end->foot_x, section, motion.state);
-        tdmf_read_page_state(motion.state, &x);
-        tdmf_set_member_states(member, &x);
-    }
-    return !tdmf_start(system, &motion).variable && motion.record.progress.open.began_at_apex;
-}
-
-/* Whether the coefficients of the first mode tell that it takes too many steps. */
-static bool is_too_stiff(const tdmf_member *member, double length) {
-    const tdmf_model *model = member->its_case->model;
-    const tdmf_parameters *p = &model->parameters;
-    const bool is_reduced = member->ensemble->map == TDMF_REDUCED_MAP;
-    const double mobility = is_reduced ? model->inverse_body_mass : model->inverse_reduced_mass;
-    const double turning = is_reduced ? 0.0 : mobility / (length * length);
-    const double fastest = fmax(fmax(p->leg.damping * mobility, sqrt(p->leg.stiffness * mobility)),
-                                fmax(p->hip.kd * turning, sqrt(p->hip.kp * turning)));
-    return fastest * model->scales.time > (double)TDMF_STIFFNESS_LIMIT * member->run->order;
 }
 
 /* On this gait, if it is one. */
@@ -372,87 +113,16 @@ static void write_start(const tdmf_ensemble *ensemble, int64_t index, tdmf_ensem
 
 static bool begin(tdmf_member *member) {
     const tdmf_ensemble *ensemble = member->ensemble;
-    const double *section = ensemble->starts[member->index];
-    tdmf_ensemble_end *end = member->end;
-    write_start(ensemble, member->index, end);
-    if (is_set(member)) {
-        set(member);
+    write_start(ensemble, member->index, member->end);
+    if (tdmf_has_settings(member)) {
+        tdmf_apply_settings(member);
     }
-    write_parameters(member);
-    if (!start(member, section)) {
-        end->fate = TDMF_FATE_NO_START;
+    if (!member->kind->start(member)) {
         return false;
     }
-    if (is_too_stiff(member, section[TDMF_SECTION_LEG_LENGTH])) {
-        return give_up(member, TDMF_FATE_UNSOLVED);
-    }
-    member->run->stop_event = member->begins;
     open_stride(member, step_limit(ensemble));
-    return member->its_case->rules.max_strides > 0 && !settles(member, tdmf_gait_of_ball(member, section));
-}
-
-static bool ends_elsewhere(tdmf_member *member, tdmf_run_outcome outcome) {
-    const int mode = tdmf_mode_in_whole(member->page, member->run->mode);
-    if (outcome == TDMF_RUN_ENDED) {
-        return give_up(member, mode == MODE_fallen ? TDMF_FATE_FELL : TDMF_FATE_NO_STRIDE);
-    }
-    if (outcome != TDMF_RUN_ARRIVED) {
-        return give_up(member, TDMF_FATE_UNSOLVED);
-    }
-    const bool has_no_stride = member->ensemble->map == TDMF_REDUCED_MAP && mode == MODE_flight_calm;
-    return give_up(member, has_no_stride ? TDMF_FATE_NO_STRIDE : TDMF_FATE_UNDECIDED); /* it takes too long */
-}
-
-/* The event of the start has been taken. */
-static bool goes_on_from_start(tdmf_member *member, tdmf_run_outcome outcome) {
-    if (member->end->strides == 0 && !member->ensemble->goes_on) {
-        member->first_event = member->run->events;
-    }
-    member->has_started = true;
-    member->run->stop_event = member->apex;
-    return begin_stride(member) && (outcome == TDMF_RUN_STOPPED || ends_elsewhere(member, outcome));
-}
-
-/* ---- checkpoints --------------------------------------------------------------------------------------- */
-
-static void stand(const tdmf_member *member) {
-    const tdmf_page_run *run = member->run;
-    if (!member->ensemble->checkpoints) {
-        return;
-    }
-    tdmf_ensemble_checkpoint *checkpoint = &member->ensemble->checkpoints[member->index];
-    const int mode = tdmf_mode_in_whole(member->page, run->mode);
-    const runner_states x = tdmf_member_states(member);
-    memset(checkpoint, 0, sizeof *checkpoint);
-    checkpoint->stands = true;
-    checkpoint->mode =
-        mode >= 0 ? mode : MODE_fallen; /* an end of the reduced map, in the same coordinates */
-    checkpoint->chain = run->chain;
-    checkpoint->time = run->time;
-    checkpoint->time_rest = run->time_rest;
-    checkpoint->taken = tdmf_events_in_whole(member->page, run->taken);
-    checkpoint->above = tdmf_events_in_whole(member->page, run->above);
-    checkpoint->late = tdmf_events_in_whole(member->page, run->late);
-    checkpoint->ground_height = member->inputs.ground.height;
-    checkpoint->ground_slope = member->inputs.ground.slope;
-    memcpy(checkpoint->states, &x, sizeof x);
-}
-
-static void load_checkpoint(tdmf_member *member, const tdmf_ensemble_checkpoint *checkpoint) {
-    const tdmf_page_part *page = member->page;
-    tdmf_page_run *run = member->run;
-    runner_states x;
-    run->mode = tdmf_mode_on_part(page, checkpoint->mode);
-    run->chain = checkpoint->chain;
-    run->time = checkpoint->time;
-    run->time_rest = checkpoint->time_rest;
-    run->taken = tdmf_events_on_part(page, checkpoint->taken);
-    run->above = tdmf_events_on_part(page, checkpoint->above);
-    run->late = tdmf_events_on_part(page, checkpoint->late);
-    memcpy(&x, checkpoint->states, sizeof x);
-    tdmf_take_states(page, &x, run->x);
-    member->inputs.ground.height = checkpoint->ground_height;
-    member->inputs.ground.slope = checkpoint->ground_slope;
+    return member->its_case->rules.max_strides > 0 &&
+           !settles(member, tdmf_gait_of_ball(member, member->end->apex));
 }
 
 /* Goes on from where it stood at the end of an earlier call. */
@@ -464,26 +134,19 @@ static bool go_on(tdmf_member *member) {
     checkpoint->stands = false;
     member->end->fate = TDMF_FATE_UNDECIDED;
     member->has_started = true;
-    load_checkpoint(member, checkpoint);
-    write_parameters(member);
-    member->run->stop_event = member->apex;
+    member->kind->load(member, checkpoint);
     open_stride(member, step_limit(member->ensemble));
-    if (!tdmf_member_changes(member)) { /* what an earlier call has set */
-        write_settings(member);
-    }
-    return begin_next_stride(member);
+    return member->kind->begin_next(member);
 }
 
 bool tdmf_member_begin(tdmf_member *member, int64_t index, tdmf_ensemble_end *end) {
     const tdmf_ensemble *ensemble = member->ensemble;
     member->index = index;
     member->number = ensemble->first_number + (uint64_t)index;
-    member->its_case = case_of(ensemble, index);
-    member->parameters = member->its_case->model->parameters;
-    member->inputs = member->its_case->inputs;
+    member->its_case = tdmf_case_of(ensemble, index);
     member->end = end;
     forget(member);
-    tdmf_lay_terrain(member);
+    member->kind->prepare(member);
     return ensemble->goes_on ? go_on(member) : begin(member);
 }
 
@@ -498,54 +161,24 @@ void tdmf_member_stops(const tdmf_ensemble *ensemble, int64_t index, tdmf_ensemb
 
 /* ---- where a stride closes ----------------------------------------------------------------------------- */
 
-static void record_apex(tdmf_member *member) {
-    tdmf_ensemble_end *end = member->end;
-    end->apex[TDMF_SECTION_COM_HEIGHT] = STATE(member, apex_com_height);
-    end->apex[TDMF_SECTION_COM_SPEED] = STATE(member, apex_com_speed);
-    end->apex[TDMF_SECTION_LEG_LENGTH] = STATE(member, apex_length);
-    end->apex[TDMF_SECTION_LEG_ANGLE] = STATE(member, apex_angle);
-    end->apex[TDMF_SECTION_LEG_LENGTH_RATE] = STATE(member, apex_length_rate);
-    end->apex[TDMF_SECTION_LEG_ANGLE_RATE] = STATE(member, apex_angle_rate);
-    if (tdmf_has_terrain(&member->its_case->rules)) {
-        end->apex[TDMF_SECTION_COM_HEIGHT] += STATE(member, height) - height_set(member);
+/* Writes a checkpoint. */
+static void stand(const tdmf_member *member) {
+    if (member->ensemble->checkpoints) {
+        tdmf_ensemble_checkpoint *checkpoint = &member->ensemble->checkpoints[member->index];
+        memset(checkpoint, 0, sizeof *checkpoint);
+        checkpoint->stands = true;
+        member->kind->save(member, checkpoint);
     }
-    end->foot_x = foot_x(member);
-    end->time = member->run->time;
-    end->distance += STATE(member, distance);
-    end->hip_work = STATE(member, work);
-    end->leg_work = STATE(member, leg_work);
-    end->work = end->hip_work + end->leg_work;
-    end->external_work = STATE(member, external_work);
-    end->damper_loss = STATE(member, damper_loss);
-    end->friction_loss = STATE(member, friction_loss);
-    end->impact_loss = STATE(member, impact_loss);
-    end->word_code = tdmf_short_word_code(STATE(member, word_code));
-}
-
-/* Records the stride that has closed between these ends. */
-static void record_stride(const tdmf_member *member, const tdmf_ensemble_end *before,
-                          tdmf_ensemble_stride *record) {
-    const tdmf_ensemble_end *end = member->end;
-    const runner_states x = tdmf_member_states(member);
-    memcpy(record->apex, end->apex, sizeof record->apex);
-    record->foot_x = end->foot_x;
-    record->stride = tdmf_page_stride_of(&x);
-    record->stride.count = end->strides + 1;
-    record->liftoff_angle = x.liftoff_angle;
-    record->external_work = end->external_work - before->external_work;
-    record->damper_loss = end->damper_loss - before->damper_loss;
-    record->friction_loss = end->friction_loss - before->friction_loss;
-    record->impact_loss = end->impact_loss - before->impact_loss;
 }
 
 static bool close_stride(tdmf_member *member) {
     tdmf_ensemble_end *end = member->end;
-    tdmf_ensemble_stride *record = open_stride_record(member);
+    const int64_t record = tdmf_open_record(member);
     const tdmf_ensemble_end before = *end;
     const double steps_left = member->steps_left - (double)(member->run->steps - member->steps_before);
-    record_apex(member);
-    if (record) {
-        record_stride(member, &before, record);
+    member->kind->record_apex(member);
+    if (record >= 0) {
+        member->kind->record_stride(member, &before, &member->ensemble->strides[record]);
     }
     open_stride(member, tdmf_steps_of_next_stride(steps_left, step_limit(member->ensemble)));
     ++end->strides;
@@ -554,7 +187,7 @@ static bool close_stride(tdmf_member *member) {
         return false;
     }
     if (tdmf_is_raised(member->ensemble->stop)) {
-        give_up(member, TDMF_FATE_STOPPED);
+        tdmf_give_up(member, TDMF_FATE_STOPPED);
         stand(member);
         return false;
     }
@@ -562,21 +195,14 @@ static bool close_stride(tdmf_member *member) {
         stand(member);
         return false;
     }
-    return begin_next_stride(member);
-}
-
-/* At an apex of the reduced map whose next stride has no start, the stride before has closed. */
-static bool closes(const tdmf_member *member, tdmf_run_outcome outcome) {
-    const tdmf_page_run *run = member->run;
-    return outcome == TDMF_RUN_STOPPED ||
-           (outcome == TDMF_RUN_ENDED && tdmf_mode_in_whole(member->page, run->mode) < 0 &&
-            (run->taken >> member->apex & 1) != 0);
+    return member->kind->begin_next(member);
 }
 
 bool tdmf_member_goes_on(tdmf_member *member, tdmf_run_outcome outcome) {
-    const bool goes_on = !member->has_started      ? goes_on_from_start(member, outcome)
-                         : closes(member, outcome) ? close_stride(member)
-                                                   : ends_elsewhere(member, outcome);
+    const tdmf_member_kind *kind = member->kind;
+    const bool goes_on = !member->has_started            ? kind->goes_on_from_start(member, outcome)
+                         : kind->closes(member, outcome) ? close_stride(member)
+                                                         : kind->ends_elsewhere(member, outcome);
     if (!goes_on) {
         member->events += member->run->events - member->first_event;
     }

@@ -1,37 +1,74 @@
-/* One runner of an ensemble on its page, from apex to apex. */
+/* One runner of an ensemble, from apex to apex: what all models have in common, and what a kind adds. */
 #ifndef TDMF_ENSEMBLE_MEMBER_H
 #define TDMF_ENSEMBLE_MEMBER_H
 
-#include "runner_pages.h"
+#include "page_part.h"
+#include "tdmf_slip/ensemble.h"
+
+typedef struct tdmf_member_kind tdmf_member_kind;
 
 typedef struct {
     const tdmf_ensemble *ensemble;
-    const tdmf_page_part *page;
-    const int *places; /* on the page, of each state of the runner's page; -1: the page has none */
-    int begins, apex;  /* events of the page: the start, and where a stride closes */
-    int64_t index;     /* in the ensemble */
-    uint64_t number;   /* by which its ground is drawn */
+    const tdmf_member_kind *kind;
+    const tdmf_model_kind *model; /* that runs */
+    int64_t index;                /* in the ensemble */
+    uint64_t number;              /* by which its ground is drawn */
     const tdmf_ensemble_case *its_case;
-    tdmf_parameters parameters; /* as they are set */
-    tdmf_inputs inputs;
     tdmf_ensemble_end *end;
     tdmf_page_run *run;
-    double *until;           /* when its stride is given up */
-    bool has_started;        /* else the event of the start is next */
-    double steps_left;       /* for the stride under way, when it began */
-    long steps_before;       /* of the run, when the stride began */
-    long first_event;        /* number of the run's first event after the start */
-    int64_t events, strides; /* of all runners in this place */
-    tdmf_table ground;       /* segments of a terrain */
+    double *held;               /* memory for states */
+    double *until;              /* when its stride is given up */
+    bool has_started;           /* else the event of the start is next */
+    double steps_left;          /* for the stride under way, when it began */
+    long steps_before;          /* of the run, when the stride began */
+    long first_event;           /* number of the run's first event after the start */
+    int64_t events, strides;    /* of all runners in this place */
+    const tdmf_page_part *page; /* of the runner, as all that follows */
+    const int *places;          /* on the page, of each state of the runner's page; -1: the page has none */
+    int begins, apex;           /* events of the page: the start, and where a stride closes */
+    tdmf_parameters parameters; /* as they are set */
+    tdmf_inputs inputs;
+    tdmf_table ground; /* segments of a terrain */
 } tdmf_member;
 
-/* The runner's states. */
-runner_states tdmf_member_states(const tdmf_member *member);
-void tdmf_set_member_states(const tdmf_member *member, const runner_states *x);
+/* What differs between the runner and the models of other pages. */
+struct tdmf_member_kind {
+    /* ---- requests */
+    bool (*is_sound)(const tdmf_ensemble *ensemble); /* the model; before anything else is asked */
+    bool (*is_case)(const tdmf_ensemble_case *its_case, const tdmf_ensemble *ensemble);
+    bool (*is_checkpoint)(const tdmf_ensemble_checkpoint *from, const tdmf_ensemble *ensemble);
+    bool (*range)(const tdmf_ensemble *ensemble, int setting, double *least, double *most);
+    int (*coordinates)(const tdmf_ensemble *ensemble);
+    /* ---- models: a plain one where it suits a runner. `places` has room for TDMF_PLACE_LIMIT */
+    tdmf_model_kind (*model)(const tdmf_ensemble *ensemble, bool is_plain);
+    bool (*is_plain)(const tdmf_ensemble *ensemble, int64_t index);
+    void (*settle_in)(tdmf_member *member, bool is_plain, int *places);
+    /* ---- runs. A function that returns false has written the fate, and the run is over */
+    double (*longest_stride)(const tdmf_member *member); /* s */
+    void (*prepare)(tdmf_member *member);                /* before anything is set */
+    void (*set)(tdmf_member *member, int setting, double value);
+    bool (*start)(tdmf_member *member);
+    bool (*goes_on_from_start)(tdmf_member *member, tdmf_run_outcome outcome);
+    bool (*changes)(const tdmf_member *member); /* at apices */
+    bool (*closes)(const tdmf_member *member, tdmf_run_outcome outcome);
+    bool (*begin_next)(tdmf_member *member); /* stride, at an apex */
+    bool (*ends_elsewhere)(tdmf_member *member, tdmf_run_outcome outcome);
+    /* ---- results */
+    void (*record_apex)(tdmf_member *member);
+    void (*record_stride)(const tdmf_member *member, const tdmf_ensemble_end *before,
+                          tdmf_ensemble_stride *record);
+    void (*scales)(const tdmf_member *member, double scales[TDMF_POINT_LIMIT]);
+    void (*save)(const tdmf_member *member, tdmf_ensemble_checkpoint *checkpoint);
+    void (*load)(tdmf_member *member, const tdmf_ensemble_checkpoint *checkpoint);
+};
 
-/* Whether the plain page has the mode of a runner's checkpoint and all that acts on it, whatever is set at
- * its apices. */
-bool tdmf_member_is_plain(const tdmf_ensemble *ensemble, int64_t index);
+enum { TDMF_PLACE_LIMIT = 128 };
+
+/* The runner's kind, which the library of another page does not have: there it is NULL. */
+extern const tdmf_member_kind *const tdmf_runner_kind;
+
+/* The kind of an ensemble; NULL: the library does not have the model. */
+const tdmf_member_kind *tdmf_kind_of(const tdmf_ensemble *ensemble);
 
 /* Begins at an apex: the start of a runner, or its checkpoint. False where there is nothing to run: `end`
  * says why. */
@@ -45,5 +82,20 @@ bool tdmf_member_goes_on(tdmf_member *member, tdmf_run_outcome outcome);
 
 /* Writes the end of a runner that has not begun because the ensemble was stopped. */
 void tdmf_member_stops(const tdmf_ensemble *ensemble, int64_t index, tdmf_ensemble_end *end);
+
+/* ---- for the kinds ------------------------------------------------------------------------------------- */
+
+/* The case of a runner. */
+const tdmf_ensemble_case *tdmf_case_of(const tdmf_ensemble *ensemble, int64_t index);
+
+/* Whether a law, or the request, sets anything; and sets it for the stride that begins. */
+bool tdmf_has_settings(const tdmf_member *member);
+void tdmf_apply_settings(tdmf_member *member);
+
+/* The number of the stride under way among those that are recorded, over all runners; -1: it is not. */
+int64_t tdmf_open_record(const tdmf_member *member);
+
+/* Writes a fate. Always false. */
+bool tdmf_give_up(tdmf_member *member, tdmf_fate fate);
 
 #endif

@@ -104,12 +104,16 @@ double tdmf_ground_step(uint64_t seed, uint64_t runner, uint32_t stride) {
     return draw_normal(&source);
 }
 
+/* The number of the deviate of friction, which no coordinate has. */
+static const uint32_t of_friction = 7;
+
 double tdmf_sensor_noise(uint64_t seed, uint64_t runner, uint32_t stride, int coordinate) {
-    uniform_source source = source_of(seed, runner, stride, (uint32_t)coordinate + 1);
+    const uint32_t number = (uint32_t)coordinate + 1;
+    uniform_source source = source_of(seed, runner, stride, number < of_friction ? number : number + 1);
     return draw_normal(&source);
 }
 
 double tdmf_friction_deviate(uint64_t seed, uint64_t runner, uint32_t stride) {
-    uniform_source source = source_of(seed, runner, stride, (uint32_t)TDMF_SECTION_COUNT + 1);
+    uniform_source source = source_of(seed, runner, stride, of_friction);
     return draw_normal(&source);
 }

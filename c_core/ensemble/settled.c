@@ -1,12 +1,10 @@
 /* A runner has settled near a gait, or in its ball of attraction. */
 #include "settled.h"
 
-#include "tdmf_slip/return_map.h"
-
 #include <math.h>
 
 static int coordinates_of(const tdmf_member *member) {
-    return member->ensemble->map == TDMF_REDUCED_MAP ? (int)TDMF_REDUCED_COUNT : (int)TDMF_SECTION_COUNT;
+    return member->kind->coordinates(member->ensemble);
 }
 
 static bool is_in_ball(const tdmf_ball *ball, const double *gait, const double *apex, int coordinates) {
@@ -31,7 +29,7 @@ static bool is_near(const double *gait, const double *apex, const double *scales
     return true;
 }
 
-int tdmf_gait_of_ball(const tdmf_member *member, const double apex[TDMF_SECTION_COUNT]) {
+int tdmf_gait_of_ball(const tdmf_member *member, const double apex[TDMF_POINT_LIMIT]) {
     const tdmf_ensemble_rules *rules = &member->its_case->rules;
     for (int gait = 0; rules->balls && gait < rules->gait_count; ++gait) {
         if (is_in_ball(&rules->balls[gait], rules->gaits[gait], apex, coordinates_of(member))) {
@@ -41,10 +39,13 @@ int tdmf_gait_of_ball(const tdmf_member *member, const double apex[TDMF_SECTION_
     return -1;
 }
 
-int tdmf_gait_reached(const tdmf_member *member, const double apex[TDMF_SECTION_COUNT]) {
+int tdmf_gait_reached(const tdmf_member *member, const double apex[TDMF_POINT_LIMIT]) {
     const tdmf_ensemble_rules *rules = &member->its_case->rules;
-    double scales[TDMF_SECTION_COUNT];
-    tdmf_section_scales(member->its_case->model, scales);
+    double scales[TDMF_POINT_LIMIT];
+    if (rules->gait_count == 0) {
+        return -1;
+    }
+    member->kind->scales(member, scales);
     for (int gait = 0; gait < rules->gait_count; ++gait) {
         if (is_near(rules->gaits[gait], apex, scales, rules->distance, coordinates_of(member))) {
             return gait;

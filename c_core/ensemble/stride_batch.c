@@ -1,23 +1,29 @@
-/* Strides of the return map side by side: some hundred at a time, each in a lane of its page's batch. */
+/* Batches of strides: runs of the return map, or of the reduced map, in lanes. */
+#include "tdmf_slip/ensemble.h"
+
 #include "batch.h"
-#include "mapped_stride.h"
+#include "reduced_stride.h"
 #include "refusal.h"
 #include "runner_pages.h"
-#include "tdmf_slip/ensemble.h"
 
 #include <limits.h>
 #include <stdlib.h>
 
 enum { STRIDES_AT_ONCE = 512 };
 
-/* Steps that a stride may take in a lane. One that takes more is made alone, by all rules of the solver. */
+/* Steps that a stride of the return map may take in a lane. One that takes more is made alone, by all rules
+ * of the solver. */
 static const long most_steps = 2000;
 
 typedef struct {
     const tdmf_stride_batch *batch;
     tdmf_solver solver;
     tdmf_stride_request requests[STRIDES_AT_ONCE];
-    tdmf_mapped_stride strides[STRIDES_AT_ONCE];
+    union {
+        tdmf_mapped_stride *mapped;
+        tdmf_reduced_stride *reduced;
+    } strides;
+    bool is_begun[STRIDES_AT_ONCE];
     /* Runs of the strides on one page, and the places of these strides in the arrays above. */
     tdmf_page_run runs[STRIDES_AT_ONCE];
     double until[STRIDES_AT_ONCE];
@@ -25,9 +31,8 @@ typedef struct {
     int numbers[STRIDES_AT_ONCE];
 } stride_part;
 
-static tdmf_stride_request request_of(stride_part *part, int64_t number) {
-    const tdmf_stride_batch *batch = part->batch;
-    const tdmf_stride_request request = {.solver = &part->solver,
+static tdmf_stride_request request_of(const tdmf_stride_batch *batch, tdmf_solver *solver, int64_t number) {
+    const tdmf_stride_request request = {.solver = solver,
                                          .system = batch->systems[number],
                                          .map = batch->map,
                                          .apex = batch->sections[number],
@@ -39,41 +44,70 @@ static tdmf_stride_request request_of(stride_part *part, int64_t number) {
     return request;
 }
 
-/* Begins the run of a stride on its page. */
-static void begin_run(stride_part *part, int own, int place) {
-    const tdmf_runner_run *run = &part->strides[own].solver.run;
-    part->runs[place] = run->run;
-    part->runs[place].stop_event = tdmf_event_on_part(run->page, EVENT_apex);
-    part->runs[place].step_limit = most_steps;
-    part->until[place] = tdmf_longest_of(&part->requests[own]);
-    part->numbers[place] = own;
+static bool is_reduced(const stride_part *part) {
+    return part->batch->map == TDMF_REDUCED_MAP;
 }
 
-/* Writes a stride that has come to its apex. Any other is made once more, alone. */
+/* Begins the run of a stride on its page. */
+static void begin_run(stride_part *part, int own, int place) {
+    tdmf_page_run *run = &part->runs[place];
+    part->numbers[place] = own;
+    if (is_reduced(part)) {
+        *run = part->strides.reduced[own].run;
+        part->until[place] = part->strides.reduced[own].end;
+    } else {
+        *run = part->strides.mapped[own].solver.run.run;
+        run->stop_event = tdmf_event_on_part(part->strides.mapped[own].solver.run.page, EVENT_apex);
+        run->step_limit = most_steps;
+        part->until[place] = tdmf_longest_of(&part->requests[own]);
+    }
+}
+
+/* The next part of a stride of the reduced map. */
+static tdmf_continuation at_end(void *context, int64_t place, tdmf_page_run *run, tdmf_run_outcome outcome) {
+    stride_part *part = context;
+    tdmf_reduced_stride *s = &part->strides.reduced[part->numbers[place]];
+    s->run = *run;
+    if (!tdmf_reduced_stride_goes_on(s, outcome)) {
+        return TDMF_IS_OVER;
+    }
+    *run = s->run;
+    part->until[place] = s->end;
+    return TDMF_GOES_ON_UNCHANGED;
+}
+
+/* Writes a stride. One of the return map that has not come to its apex is made once more, alone. */
 static void end_run(stride_part *part, int place, tdmf_return *results) {
     const int own = part->numbers[place];
     const tdmf_page_run *run = &part->runs[place];
-    if (part->outcomes[place] == TDMF_RUN_STOPPED && (run->taken >> run->stop_event & 1) != 0) {
-        part->strides[own].solver.run.run = *run;
-        tdmf_close_mapped_stride(&part->strides[own], &results[own]);
+    if (is_reduced(part)) {
+        tdmf_close_reduced_stride(&part->strides.reduced[own], &results[own]);
+    } else if (part->outcomes[place] == TDMF_RUN_STOPPED && (run->taken >> run->stop_event & 1) != 0) {
+        part->strides.mapped[own].solver.run.run = *run;
+        tdmf_close_mapped_stride(&part->strides.mapped[own], &results[own]);
     } else {
         tdmf_run_stride(&part->requests[own], &results[own]);
     }
 }
 
+static const tdmf_page_part *page_of(const stride_part *part, int own) {
+    return is_reduced(part) ? part->strides.reduced[own].page : part->strides.mapped[own].solver.run.page;
+}
+
 /* Runs the strides of a part that were begun on a page. */
-static bool run_on_page(stride_part *part, const tdmf_page_part *page, const bool *is_begun, int count,
-                        tdmf_return *results) {
+static bool run_on_page(stride_part *part, const tdmf_page_part *page, int count, tdmf_return *results) {
     const tdmf_model_kind model = tdmf_model_in_lanes(page);
     tdmf_batch kernel = tdmf_batch_default();
     for (int own = 0; own < count; ++own) {
-        if (is_begun[own] && part->strides[own].solver.run.page == page) {
+        if (part->is_begun[own] && page_of(part, own) == page) {
             begin_run(part, own, (int)kernel.count++);
         }
     }
     kernel.runs = part->runs;
     kernel.until = part->until;
     kernel.outcomes = part->outcomes;
+    kernel.at_end = is_reduced(part) ? at_end : NULL;
+    kernel.context = part;
     kernel.threads = part->batch->threads;
     if (kernel.count > 0 && !tdmf_run_batch(&model, &kernel, NULL)) {
         return false;
@@ -85,19 +119,26 @@ static bool run_on_page(stride_part *part, const tdmf_page_part *page, const boo
 }
 
 static bool run_part(stride_part *part, int64_t first, int count, tdmf_return *results) {
-    bool is_begun[STRIDES_AT_ONCE];
     for (int own = 0; own < count; ++own) {
-        part->requests[own] = request_of(part, first + own);
-        if (part->batch->map == TDMF_REDUCED_MAP) { /* one by one */
-            is_begun[own] = false;
-            tdmf_run_stride(&part->requests[own], &results[own]);
-        } else {
-            is_begun[own] =
-                tdmf_begin_mapped_stride(&part->strides[own], &part->requests[own], &results[own]);
-        }
+        part->requests[own] = request_of(part->batch, &part->solver, first + own);
+        part->is_begun[own] =
+            is_reduced(part)
+                ? tdmf_begin_reduced_stride(&part->strides.reduced[own], &part->requests[own], &results[own])
+                : tdmf_begin_mapped_stride(&part->strides.mapped[own], &part->requests[own], &results[own]);
     }
-    return run_on_page(part, &tdmf_plain_runner_part, is_begun, count, results) &&
-           run_on_page(part, &tdmf_whole_page, is_begun, count, results);
+    return run_on_page(part, tdmf_page_for(part->batch->map, true), count, results) &&
+           run_on_page(part, tdmf_page_for(part->batch->map, false), count, results);
+}
+
+static bool run_parts(stride_part *part, tdmf_return *results) {
+    const int64_t count = part->batch->count;
+    bool is_made = true;
+    for (int64_t first = 0; is_made && first < count; first += STRIDES_AT_ONCE) {
+        const int64_t left = count - first;
+        is_made =
+            run_part(part, first, left < STRIDES_AT_ONCE ? (int)left : STRIDES_AT_ONCE, results + first);
+    }
+    return is_made;
 }
 
 static bool is_sound_batch(tdmf_refusal *why, const tdmf_solver *solver, const tdmf_stride_batch *batch,
@@ -116,19 +157,30 @@ tdmf_refusal tdmf_run_strides(const tdmf_solver *solver, const tdmf_stride_batch
     if (!is_sound_batch(&why, solver, batch, results)) {
         return why;
     }
+    tdmf_solver own = *solver;
+    own.log = NULL;
+    own.on_event = NULL;
+    if (batch->count == 1) { /* it needs no memory */
+        const tdmf_stride_request request = request_of(batch, &own, 0);
+        tdmf_run_stride(&request, results);
+        return why;
+    }
+    const size_t most = batch->count < STRIDES_AT_ONCE ? (size_t)batch->count : STRIDES_AT_ONCE;
+    const bool reduced = batch->map == TDMF_REDUCED_MAP;
     stride_part *part = malloc(sizeof *part);
-    bool is_made = part != NULL;
+    void *strides = malloc((most + 1) * (reduced ? sizeof(tdmf_reduced_stride) : sizeof(tdmf_mapped_stride)));
+    bool is_made = part && strides;
     if (is_made) {
         part->batch = batch;
-        part->solver = *solver;
-        part->solver.log = NULL;
-        part->solver.on_event = NULL;
+        part->solver = own;
+        if (reduced) {
+            part->strides.reduced = strides;
+        } else {
+            part->strides.mapped = strides;
+        }
+        is_made = run_parts(part, results);
     }
-    for (int64_t first = 0; is_made && first < batch->count; first += STRIDES_AT_ONCE) {
-        const int64_t left = batch->count - first;
-        is_made =
-            run_part(part, first, left < STRIDES_AT_ONCE ? (int)left : STRIDES_AT_ONCE, results + first);
-    }
+    free(strides);
     free(part);
     tdmf_accepts_if(&why, is_made, TDMF_UNAVAILABLE, "memory", 0, "there is not enough");
     return why;

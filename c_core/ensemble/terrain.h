@@ -3,6 +3,7 @@
 #define TDMF_ENSEMBLE_TERRAIN_H
 
 #include "member.h"
+#include "runner_pages.h"
 
 static inline bool tdmf_has_terrain(const tdmf_ensemble_rules *rules) {
     return rules->terrain.length != 0.0;

@@ -7,7 +7,7 @@
 #include "mapped_stride.h"
 #include "page_fields.h"
 #include "page_solver.h"
-#include "patch.h"
+#include "reduced_stride.h"
 #include "refusal.h"
 #include "request.h"
 #include "return_record.h"
@@ -16,25 +16,18 @@
 #include <math.h>
 #include <string.h>
 
-/* Numbers of the runner's page, which has more of them than a page of the map. */
-enum { PARAMETERS = TDMF_PAGE_PARAMETER_COUNT, STATES = TDMF_PAGE_STATE_COUNT };
+enum { STATES = TDMF_PAGE_STATE_COUNT, PARAMETERS = TDMF_PAGE_PARAMETER_COUNT };
 
 /* In the runner's unit of time: nothing takes longer, also where any time is allowed. */
 static const double longest_time = 1e12;
 
+/* The log of a stride that is made alone. */
 typedef struct {
-    const tdmf_page_part *page;
-    tdmf_solver *solver;
-    tdmf_system system;
-    tdmf_motion start;
-    tdmf_page_run run;
-    double p[PARAMETERS], x[STATES], lift_off[STATES];
-    double dp[TDMF_VARIATION_LIMIT * PARAMETERS], dx[TDMF_VARIATION_LIMIT * STATES];
-    double shift[TDMF_VARIATION_LIMIT];
-    double memory[TDMF_PAGE_MEMORY];
     tdmf_event_row rows[TDMF_EVENT_CAPACITY];
-    double row_states[TDMF_EVENT_CAPACITY * STATES];
-} stride;
+    double states[TDMF_EVENT_CAPACITY * STATES];
+} event_rows;
+
+typedef tdmf_reduced_stride stride;
 
 /* ---- the runner's page --------------------------------------------------------------------------------- */
 
@@ -145,9 +138,6 @@ static void begin(stride *s, const tdmf_stride_request *request) {
     s->run.order = tdmf_page_order(s->run.tolerance);
     s->run.observes = derivatives || !s->solver->without_peaks_and_positive_work ? TDMF_OBSERVE_USUAL
                                                                                  : TDMF_OBSERVE_NOTHING;
-    s->run.log = s->rows;
-    s->run.log_states = s->row_states;
-    s->run.log_size = s->solver->log ? TDMF_EVENT_CAPACITY : 0;
     for (int k = 0; k < TDMF_REDUCED_COUNT && derivatives; ++k) {
         begin_variation(s, start, apex, NULL, k);
     }
@@ -173,57 +163,64 @@ static tdmf_return_outcome outcome_of_mode(const char *mode) {
     return TDMF_RETURN_FELL;
 }
 
-/* Runs to an event of the runner's page. `late` is the outcome if it does not come in time. */
-static tdmf_return_outcome run_to(stride *s, int event, double duration, tdmf_return_outcome late,
-                                  tdmf_outcome *solver) {
-    const long steps = s->run.steps;
+/* The parts of a stride: the event of the runner's page to which each runs. */
+enum { TO_TOUCHDOWN, TO_LIFT_OFF, TO_APEX };
+static const int event_of_part[] = {EVENT_touchdown, EVENT_lift_off, EVENT_apex};
+
+/* Sets the run's next stop, its limits and its longest time. */
+static void aim(stride *s) {
     const double longest = longest_time * s->system.model->scales.time;
-    s->run.step_limit = s->solver->step_limit - steps;
+    const double duration = s->part == TO_APEX ? INFINITY : s->until;
+    s->run.step_limit = s->solver->step_limit - s->run.steps;
     s->run.event_limit = s->solver->event_limit - s->run.events;
-    s->run.stop_event = tdmf_event_on_part(s->page, event);
-    const double until = s->run.time + (duration < longest ? duration : longest);
-    switch (tdmf_page_run_to(s->page->model, &s->run, until)) {
+    s->run.stop_event = tdmf_event_on_part(s->page, event_of_part[s->part]);
+    s->end = s->run.time + (duration < longest ? duration : longest);
+}
+
+static tdmf_return_outcome outcome_of_run(stride *s, tdmf_run_outcome outcome) {
+    static const tdmf_return_outcome late[] = {TDMF_RETURN_NO_TOUCHDOWN, TDMF_RETURN_TOO_LONG,
+                                               TDMF_RETURN_NO_APEX};
+    switch (outcome) {
     case TDMF_RUN_STOPPED:
         return TDMF_RETURN_CLOSED;
     case TDMF_RUN_ARRIVED:
-        return late;
+        return late[s->part];
     case TDMF_RUN_ENDED: /* an apex below the ground is the next apex, too */
-        return event == EVENT_apex && (s->run.taken >> s->run.stop_event & 1u) != 0
+        return s->part == TO_APEX && (s->run.taken >> s->run.stop_event & 1u) != 0
                    ? TDMF_RETURN_CLOSED
                    : outcome_of_mode(s->page->model->mode_names[s->run.mode]);
     case TDMF_RUN_TOO_MANY_STEPS:
-        *solver = TDMF_TOO_MANY_STEPS;
+        s->ended = TDMF_TOO_MANY_STEPS;
         return TDMF_RETURN_UNSOLVED;
     case TDMF_RUN_ENDLESS_CHAIN:
     case TDMF_RUN_TOO_MANY_EVENTS:
-        *solver = TDMF_TOO_MANY_EVENTS;
+        s->ended = TDMF_TOO_MANY_EVENTS;
         return TDMF_RETURN_UNSOLVED;
     default:
-        *solver = TDMF_NO_PROGRESS;
+        s->ended = TDMF_NO_PROGRESS;
         return TDMF_RETURN_UNSOLVED;
     }
 }
 
-static tdmf_return_outcome run_stride(stride *s, double until, tdmf_outcome *solver) {
-    s->run.memory = s->memory;
-    tdmf_return_outcome outcome = run_to(s, EVENT_touchdown, until, TDMF_RETURN_NO_TOUCHDOWN, solver);
-    if (outcome == TDMF_RETURN_CLOSED) {
-        outcome = run_to(s, EVENT_lift_off, until, TDMF_RETURN_TOO_LONG, solver);
+bool tdmf_reduced_stride_goes_on(stride *s, tdmf_run_outcome outcome) {
+    s->outcome = outcome_of_run(s, outcome);
+    if (s->outcome != TDMF_RETURN_CLOSED || s->part == TO_APEX) {
+        return false;
     }
-    if (outcome == TDMF_RETURN_CLOSED) {
-        ++s->solver->strides;
+    if (s->part == TO_LIFT_OFF) {
         memcpy(s->lift_off, s->x, sizeof s->x);
-        outcome = run_to(s, EVENT_apex, INFINITY, TDMF_RETURN_NO_APEX, solver);
     }
-    return outcome;
+    ++s->part;
+    aim(s);
+    return true;
 }
 
 /* ---- the log ------------------------------------------------------------------------------------------- */
 
 /* The event of a row of the log, without the mode after it. */
 static tdmf_event event_at(const stride *s, int number) {
-    const tdmf_event_row *row = &s->rows[number];
-    const double *x = s->row_states + number * s->page->model->state_count;
+    const tdmf_event_row *row = &s->run.log[number];
+    const double *x = s->run.log_states + number * s->page->model->state_count;
     const tdmf_motion before = motion_at(s, x, row->before, row->before, row->time);
     tdmf_event event = {.time = row->time,
                         .guard = (int)tdmf_guard_of_event(tdmf_event_in_whole(s->page, row->event)),
@@ -238,11 +235,12 @@ static void log_events(const stride *s) {
     tdmf_event event;
     bool is_open = false;
     for (int i = 0; i < count; ++i) {
-        const tdmf_event_row *row = &s->rows[i];
-        const double *after = i + 1 < count ? s->row_states + (i + 1) * s->page->model->state_count : s->x;
+        const tdmf_event_row *row = &s->run.log[i];
+        const double *after =
+            i + 1 < count ? s->run.log_states + (i + 1) * s->page->model->state_count : s->x;
         const bool has_guard =
             tdmf_guard_of_event(tdmf_event_in_whole(s->page, row->event)) != TDMF_GUARD_COUNT;
-        if (is_open && row->time != s->rows[i - 1].time) {
+        if (is_open && row->time != s->run.log[i - 1].time) {
             tdmf_log_event(s->solver, &event);
             is_open = false;
         }
@@ -319,25 +317,50 @@ static const tdmf_page_part *page_of(const tdmf_stride_request *request) {
                : &tdmf_reduced_runner_part;
 }
 
-void tdmf_run_reduced_stride(const tdmf_stride_request *request, tdmf_return *result) {
-    stride s;
+bool tdmf_begin_reduced_stride(stride *s, const tdmf_stride_request *request, tdmf_return *result) {
     memset(result, 0, sizeof *result);
     result->outcome = TDMF_RETURN_REFUSED;
-    if (tdmf_is_sound_stride(&result->refusal, request)) {
-        s.solver = request->solver;
-        s.system = request->system;
-        s.page = page_of(request);
-        result->outcome = begin_motion(request, &s.start, &result->refusal);
+    if (!tdmf_is_sound_stride(&result->refusal, request)) {
+        return false;
     }
+    s->solver = request->solver;
+    s->system = request->system;
+    s->page = page_of(request);
+    s->until = tdmf_longest_of(request);
+    s->part = TO_TOUCHDOWN;
+    s->ended = TDMF_ARRIVED;
+    result->outcome = begin_motion(request, &s->start, &result->refusal);
     if (result->outcome == TDMF_RETURN_CLOSED) {
-        begin(&s, request);
-        result->outcome = run_stride(&s, tdmf_longest_of(request), &result->solver);
-        s.solver->steps += s.run.steps;
-        s.solver->events += s.run.events;
-        s.solver->evaluations += s.run.steps * s.run.order;
-        log_events(&s);
+        begin(s, request);
+        aim(s);
     }
-    if (result->outcome == TDMF_RETURN_CLOSED) {
-        write_stride(&s, result);
+    return result->outcome == TDMF_RETURN_CLOSED;
+}
+
+void tdmf_close_reduced_stride(stride *s, tdmf_return *result) {
+    result->outcome = s->outcome;
+    result->solver = s->ended;
+    s->solver->strides += s->part == TO_APEX;
+    s->solver->steps += s->run.steps;
+    s->solver->events += s->run.events;
+    s->solver->evaluations += s->run.steps * s->run.order;
+    log_events(s);
+    if (s->outcome == TDMF_RETURN_CLOSED) {
+        write_stride(s, result);
+    }
+}
+
+void tdmf_run_reduced_stride(const tdmf_stride_request *request, tdmf_return *result) {
+    double memory[TDMF_PAGE_MEMORY];
+    event_rows log;
+    stride s;
+    if (tdmf_begin_reduced_stride(&s, request, result)) {
+        s.run.memory = memory;
+        s.run.log = log.rows;
+        s.run.log_states = log.states;
+        s.run.log_size = s.solver->log ? TDMF_EVENT_CAPACITY : 0;
+        while (tdmf_reduced_stride_goes_on(&s, tdmf_page_run_to(s.page->model, &s.run, s.end))) {
+        }
+        tdmf_close_reduced_stride(&s, result);
     }
 }

@@ -25,7 +25,7 @@ crowd *make_crowd(int count, int max_strides, double relative_tolerance) {
     made->ensemble = (tdmf_ensemble){.cases = made->cases,
                                      .case_count = count,
                                      .case_of = made->case_of,
-                                     .starts = (const double(*)[TDMF_SECTION_COUNT])made->starts,
+                                     .starts = (const double(*)[TDMF_POINT_LIMIT])made->starts,
                                      .count = count,
                                      .relative_tolerance = relative_tolerance,
                                      .threads = 1};
@@ -36,7 +36,7 @@ void place_runner(crowd *crowd, int number, const tdmf_parameters *parameters, c
                   const double section[TDMF_SECTION_COUNT]) {
     crowd->models[number] = accepted_model(parameters);
     crowd->cases[number].inputs = *inputs;
-    memcpy(crowd->starts[number], section, sizeof crowd->starts[number]);
+    memcpy(crowd->starts[number], section, TDMF_SECTION_COUNT * sizeof *section);
 }
 
 tdmf_ensemble_case *share_case(crowd *crowd) {

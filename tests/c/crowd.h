@@ -9,7 +9,7 @@ typedef struct {
     tdmf_model *models;
     tdmf_ensemble_case *cases;
     int *case_of;
-    double (*starts)[TDMF_SECTION_COUNT];
+    double (*starts)[TDMF_POINT_LIMIT];
     tdmf_ensemble_end *ends;
     tdmf_ensemble_stride *strides; /* see note_strides */
     tdmf_ensemble_checkpoint *checkpoints;

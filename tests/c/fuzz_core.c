@@ -130,11 +130,12 @@ static void map(void *self) {
 
 static void run_members(void *self) {
     subject *on = self;
-    double starts[MEMBERS][TDMF_SECTION_COUNT];
+    double starts[MEMBERS][TDMF_POINT_LIMIT] = {{0.0}};
     tdmf_ensemble_end ends[MEMBERS];
     const double roughness = random_uniform(on->source, 0.0, 0.1) * on->model.scales.length;
-    const tdmf_ensemble_case only = {
-        &on->model, on->inputs, {.max_strides = STRIDES, .roughness = roughness, .seed = 1}};
+    const tdmf_ensemble_case only = {.model = &on->model,
+                                     .inputs = on->inputs,
+                                     .rules = {.max_strides = STRIDES, .roughness = roughness, .seed = 1}};
     if (on->decades > 1.0 || on->has_run_members) {
         return; /* an ensemble's steps cannot be limited, and stiff runners take many */
     }
@@ -144,7 +145,7 @@ static void run_members(void *self) {
     }
     const tdmf_ensemble ensemble = {.cases = &only,
                                     .case_count = 1,
-                                    .starts = (const double(*)[TDMF_SECTION_COUNT])starts,
+                                    .starts = (const double(*)[TDMF_POINT_LIMIT])starts,
                                     .count = MEMBERS,
                                     .relative_tolerance = on->solver.relative_tolerance,
                                     .threads = 1,

@@ -311,16 +311,16 @@ TEST(energy_is_accounted_for_and_work_is_counted) {
 /* Friction 0.6: the reference gait attracts what starts near it, what starts low falls, what starts below the
  * ground does not start. What is no gait, being no number, attracts nothing. */
 TEST(runners_settle_fall_or_do_not_start) {
-    double gaits[2][TDMF_SECTION_COUNT];
+    double gaits[2][TDMF_POINT_LIMIT] = {{0.0}};
     tdmf_instructions sets[TDMF_INSTRUCTIONS_COUNT];
     const int count = list_instructions(sets);
     crowd *crowd = make_crowd(4, 400, 1e-9);
     for (int i = 0; i < 2; ++i) {
-        memcpy(gaits[i], &reference_gaits[DEFAULT_GAIT].apex, sizeof gaits[i]);
+        memcpy(gaits[i], &reference_gaits[DEFAULT_GAIT].apex, sizeof reference_gaits[DEFAULT_GAIT].apex);
     }
     gaits[0][TDMF_SECTION_LEG_ANGLE_RATE] = NAN;
     for (int i = 0; i < 4; ++i) {
-        crowd->cases[i].rules.gaits = (const double(*)[TDMF_SECTION_COUNT])gaits;
+        crowd->cases[i].rules.gaits = (const double(*)[TDMF_POINT_LIMIT])gaits;
         crowd->cases[i].rules.gait_count = 2;
         crowd->cases[i].rules.distance = 1e-3;
     }
@@ -438,8 +438,8 @@ TEST(unsound_ensembles_are_refused) {
 /* ---- strides with derivatives -------------------------------------------------------------------------- */
 
 /* Whichever of them close, fall or take no start: bit for bit. */
-static void assert_strides_in_lanes_are_those_made_alone(crowd *crowd) {
-    enum { ALL = TDMF_SECTION_COUNT + 1 };
+static void assert_strides_in_lanes_are_those_made_alone(crowd *crowd, tdmf_apex_map map) {
+    const size_t all = map == TDMF_REDUCED_MAP ? TDMF_REDUCED_COUNT + 1 : TDMF_SECTION_COUNT + 1;
     tdmf_system *systems = allocate(RUNNERS, sizeof *systems);
     double *until = allocate(RUNNERS, sizeof *until);
     tdmf_return *made = allocate(RUNNERS, sizeof *made);
@@ -454,19 +454,23 @@ static void assert_strides_in_lanes_are_those_made_alone(crowd *crowd) {
                                      .sections = crowd->ensemble.starts,
                                      .until = until,
                                      .count = RUNNERS,
+                                     .map = map,
                                      .derivatives = true,
-                                     .measures = true,
+                                     .measures = map == TDMF_RETURN_MAP,
                                      .seeds = &seed,
                                      .seed_count = 1,
                                      .threads = 2};
     assert_int_equal(tdmf_run_strides(&solver, &batch, made).code, TDMF_ACCEPTED);
     for (int i = 0; i < RUNNERS; ++i) {
+        const double *start = crowd->starts[i];
         const tdmf_return alone =
-            measured_return_map(&solver, systems[i], crowd->starts[i], until[i], true, &seed, 1);
+            map == TDMF_REDUCED_MAP
+                ? reduced_map(&solver, systems[i], start, until[i], true, &seed, 1)
+                : measured_return_map(&solver, systems[i], start, until[i], true, &seed, 1);
         assert_int_equal(made[i].outcome, alone.outcome);
         assert_memory_equal(made[i].apex, alone.apex, sizeof alone.apex);
         assert_memory_equal(&made[i].measures, &alone.measures, sizeof alone.measures);
-        assert_memory_equal(made[i].variations, alone.variations, ALL * sizeof *alone.variations);
+        assert_memory_equal(made[i].variations, alone.variations, all * sizeof *alone.variations);
         assert_string_equal(made[i].stride.word, alone.stride.word);
         closed += alone.outcome == TDMF_RETURN_CLOSED;
     }
@@ -474,9 +478,11 @@ static void assert_strides_in_lanes_are_those_made_alone(crowd *crowd) {
 }
 
 TEST(strides_near_the_gait_are_those_made_alone) {
-    assert_strides_in_lanes_are_those_made_alone(random_crowd(place_near_the_gait, 1));
+    assert_strides_in_lanes_are_those_made_alone(random_crowd(place_near_the_gait, 1), TDMF_RETURN_MAP);
+    assert_strides_in_lanes_are_those_made_alone(random_crowd(place_near_the_gait, 1), TDMF_REDUCED_MAP);
 }
 
 TEST(any_strides_are_those_made_alone) {
-    assert_strides_in_lanes_are_those_made_alone(random_crowd(place_anywhere, 1));
+    assert_strides_in_lanes_are_those_made_alone(random_crowd(place_anywhere, 1), TDMF_RETURN_MAP);
+    assert_strides_in_lanes_are_those_made_alone(random_crowd(place_anywhere, 1), TDMF_REDUCED_MAP);
 }

@@ -70,7 +70,7 @@ static tdmf_ensemble_end iterate(const tdmf_ensemble_case *its_case, const doubl
     tdmf_ensemble_end end = {.gait = -1};
     tdmf_solver solver = solver_to(0.1 * tight);
     tdmf_return_outcome outcome = TDMF_RETURN_CLOSED;
-    memcpy(end.apex, start, sizeof end.apex);
+    memcpy(end.apex, start, TDMF_SECTION_COUNT * sizeof *start);
     while (outcome == TDMF_RETURN_CLOSED && end.strides < STRIDES) {
         const tdmf_return stride = reduced_map(&solver, (tdmf_system){its_case->model, &its_case->inputs},
                                                end.apex, 1e4, false, NULL, 0);
@@ -159,7 +159,7 @@ TEST(runners_settle_on_the_gaits_of_the_reference) {
         const reduced_gait *gait = &reduced_gaits[i];
         const tdmf_parameters parameters = parameters_of_reduced_gait(gait);
         const tdmf_inputs inputs = inputs_of_reduced_gait(gait);
-        const double gaits[1][TDMF_SECTION_COUNT] = {{gait->apex[0], gait->apex[1], 7.0, NAN, 7.0, 7.0}};
+        const double gaits[1][TDMF_POINT_LIMIT] = {{gait->apex[0], gait->apex[1], 7.0, NAN, 7.0, 7.0}};
         crowd *crowd = make_crowd(2, 2000, tight);
         for (int k = 0; k < 2; ++k) {
             const double start[TDMF_SECTION_COUNT] = {gait->apex[0] + 0.03 * k, gait->apex[1] - 0.03 * k};

@@ -315,7 +315,7 @@ typedef struct {
     tdmf_ensemble_checkpoint checkpoints[RUNNERS];
     tdmf_ensemble_stride strides[RUNNERS];
     int setting;
-    double one[1], gain[1][TDMF_SECTION_COUNT];
+    double one[1], gain[1][TDMF_POINT_LIMIT];
     tdmf_affine_law law;
     tdmf_given_settings given;
 } population;
@@ -330,7 +330,7 @@ static void gather(population *p, bool follows_law) {
     p->law = (tdmf_affine_law){.count = 1,
                                .settings = &p->setting,
                                .nominal = p->one,
-                               .gain = (const double(*)[TDMF_SECTION_COUNT])p->gain,
+                               .gain = (const double(*)[TDMF_POINT_LIMIT])p->gain,
                                .low = p->one,
                                .high = p->one};
     p->given = (tdmf_given_settings){1, &p->setting, 0, 1, NULL};
@@ -347,7 +347,7 @@ static void gather(population *p, bool follows_law) {
     static void name(population *p) {                                                                        \
         __VA_ARGS__;                                                                                         \
     }
-static const double apex_of_none[1][TDMF_SECTION_COUNT];
+static const double apex_of_none[1][TDMF_POINT_LIMIT];
 static const tdmf_ball ball_of_none = {{{0.0}, {0.0, NAN}}};
 CHANGE(no_cases, p->ensemble->cases = NULL)
 CHANGE(cases_below_zero, p->ensemble->case_count = -1)

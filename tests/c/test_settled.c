@@ -5,10 +5,11 @@
 #include "reference_gaits.h"
 
 #include <math.h>
+#include <string.h>
 
 enum { RUNNERS = 24, MAX_STRIDES = 60 };
 
-static const double *const gait = (const double *)&reference_gaits[DEFAULT_GAIT].apex;
+static double gait[TDMF_POINT_LIMIT];
 
 /* Half axes 0.2 in height and so much less in speed. */
 static tdmf_ball ball;
@@ -17,6 +18,7 @@ static tdmf_ball ball;
 static crowd *gather(void) {
     crowd *crowd = make_crowd(RUNNERS, MAX_STRIDES, 1e-8);
     tdmf_ensemble_rules *rules = &share_case(crowd)->rules;
+    memcpy(gait, &reference_gaits[DEFAULT_GAIT].apex, sizeof reference_gaits[DEFAULT_GAIT].apex);
     for (int i = 0; i < TDMF_SECTION_COUNT; ++i) {
         ball.matrix[i][i] = 2.0;
     }
@@ -26,7 +28,7 @@ static crowd *gather(void) {
     for (int i = 0; i < RUNNERS; ++i) {
         crowd->starts[i][TDMF_SECTION_COM_HEIGHT] += 0.1 * i - 0.005 * (i == 0);
     }
-    rules->gaits = (const double(*)[TDMF_SECTION_COUNT])gait;
+    rules->gaits = (const double(*)[TDMF_POINT_LIMIT]) & gait;
     rules->gait_count = 1;
     rules->balls = &ball;
     crowd->ensemble.threads = 2;

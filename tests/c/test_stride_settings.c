@@ -15,7 +15,7 @@ enum { RUNNERS = TDMF_SAMPLE_DIVISOR == 1 ? 60 : 20, STRIDES = 8, SETTINGS = 3 }
 
 static const char *const names[SETTINGS] = {"hip.touchdown_angle", "hip.stance_torque", "ground.friction"};
 static const double nominal[SETTINGS] = {0.7, 0.2, 0.6};
-static const double gain[SETTINGS][TDMF_SECTION_COUNT] = {
+static const double gain[SETTINGS][TDMF_POINT_LIMIT] = {
     {0.3, 0.1, 0.02, 0.01, 0.03, -0.02}, {0.02, -0.02, 0.01, 0.0, 0.0, 0.01}, {1.0, 0.5, 0.0, 0.2, 0.0, 0.0}};
 static const double low[SETTINGS] = {0.693, 0.1985, 0.57};
 static const double high[SETTINGS] = {0.707, 0.2015, 0.63};
@@ -58,7 +58,8 @@ static population *gather(double roughness) {
                                         .high = high,
                                         .noise = {0.02, 0.02, 0.0, 0.05, 0.0, 0.01},
                                         .seed = seed};
-    memcpy(population->law.apex, &reference_gaits[DEFAULT_GAIT].apex, sizeof population->law.apex);
+    memcpy(population->law.apex, &reference_gaits[DEFAULT_GAIT].apex,
+           sizeof reference_gaits[DEFAULT_GAIT].apex);
     for (int i = 0; i < RUNNERS; ++i) {
         for (int j = 0; j < TDMF_SECTION_COUNT; ++j) {
             population->crowd->starts[i][j] += random_uniform(&source, -0.05, 0.05);
@@ -458,14 +459,14 @@ TEST(refuses_laws_that_are_none) {
     static const double none[] = {NAN, INFINITY, -INFINITY, 2e100};
     population *population = gather(0.0);
     tdmf_affine_law law = population->law;
-    double numbers[SETTINGS], gains[SETTINGS][TDMF_SECTION_COUNT];
+    double numbers[SETTINGS], gains[SETTINGS][TDMF_POINT_LIMIT];
     population->its_case->rules.law = &law;
     run_crowd(population->crowd, population->ensemble->instructions);
     for (size_t i = 0; i < sizeof none / sizeof none[0]; ++i) {
         memcpy(numbers, nominal, sizeof numbers);
         memcpy(gains, gain, sizeof gains);
         gains[1][2] = none[i];
-        law.gain = (const double(*)[TDMF_SECTION_COUNT])gains;
+        law.gain = (const double(*)[TDMF_POINT_LIMIT])gains;
         assert_crowd_is_refused(population->crowd);
         law.gain = gain;
         numbers[2] = none[i];
@@ -522,10 +523,10 @@ TEST(refuses_settings_that_are_none) {
 
 TEST(the_reduced_map_measures_height_and_speed_alone) {
     population *population = gather(0.0);
-    double gains[SETTINGS][TDMF_SECTION_COUNT] = {{0.0}};
+    double gains[SETTINGS][TDMF_POINT_LIMIT] = {{0.0}};
     population->ensemble->map = TDMF_REDUCED_MAP;
     population->its_case->rules.law = &population->law;
-    population->law.gain = (const double(*)[TDMF_SECTION_COUNT])gains;
+    population->law.gain = (const double(*)[TDMF_POINT_LIMIT])gains;
     memset(&population->law.noise[2], 0, 4 * sizeof *population->law.noise);
     gains[0][1] = 0.1;
     run_crowd(population->crowd, population->ensemble->instructions);

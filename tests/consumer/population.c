@@ -7,9 +7,9 @@
 enum { RUNNERS = 200, PROCESSORS = 2 };
 
 int main(void) {
-    static const double gait[1][TDMF_SECTION_COUNT] = {
+    static const double gait[1][TDMF_POINT_LIMIT] = {
         {1.418508152745958, 1.0620047462715507, 0.9999993776846997, -0.5462532571145313, 0.0, 0.0}};
-    static double starts[RUNNERS][TDMF_SECTION_COUNT];
+    static double starts[RUNNERS][TDMF_POINT_LIMIT];
     static tdmf_ensemble_end ends[RUNNERS];
     const tdmf_parameters parameters = tdmf_default_parameters();
     tdmf_model model;
@@ -21,12 +21,12 @@ int main(void) {
         starts[i][TDMF_SECTION_COM_SPEED] += 0.5 * (i - RUNNERS / 2) / RUNNERS;
     }
     const tdmf_ensemble_case runner = {
-        &model,
-        tdmf_default_inputs(),
-        {.gaits = gait, .gait_count = 1, .distance = 1e-2, .max_strides = 400}};
+        .model = &model,
+        .inputs = tdmf_default_inputs(),
+        .rules = {.gaits = gait, .gait_count = 1, .distance = 1e-2, .max_strides = 400}};
     const tdmf_ensemble ensemble = {.cases = &runner,
                                     .case_count = 1,
-                                    .starts = (const double(*)[TDMF_SECTION_COUNT])starts,
+                                    .starts = (const double(*)[TDMF_POINT_LIMIT])starts,
                                     .count = RUNNERS,
                                     .relative_tolerance = 1e-8,
                                     .threads = PROCESSORS};

@@ -4,6 +4,7 @@
 #define TDMF_SLIP_ENSEMBLE_H
 
 #include "tdmf_slip/export.h"
+#include "tdmf_slip/page.h"
 #include "tdmf_slip/return_map.h"
 
 #include <stdint.h>
@@ -23,9 +24,14 @@ typedef enum {
     TDMF_INSTRUCTIONS_COUNT
 } tdmf_instructions;
 
-/* What may be set anew at each apex: a setting that is tunable, or an input, by its name in the unit, as in
- * "hip.kp" and "ground.friction". Returns its number, or -1 where there is none of this name, or it is NULL.
- * There are TDMF_SETTING_LIMIT of them: no law sets more. */
+/* Coordinates of a point of a section, of any model, at the most. Rows of points are as wide. */
+enum { TDMF_POINT_LIMIT = 8 };
+
+/* The number of a setting of the runner, which may be set anew at each apex: a tunable parameter or an input,
+ * by its name in the unit, as in "hip.kp" and "ground.friction". -1 where there is none of this name, or it
+ * is NULL. No law sets more than TDMF_SETTING_LIMIT, which is how many there are.
+ *
+ * Settings of another page are its parameters by their numbers, and its states by theirs after these. */
 TDMF_API int tdmf_setting_of(const char *name);
 
 /* A law from apex to settings, which a controller has that measures each apex and sets what the stride from
@@ -35,28 +41,27 @@ TDMF_API int tdmf_setting_of(const char *name);
  *     measured j = coordinate j of the section + noise j tdmf_sensor_noise(seed, runner, stride, j).
  *
  * The coordinates are those of the ensemble's apices: heights above the ground in force, as a sensor sees it
- * before the ground steps. Of the reduced map only the first two are measured: gain and noise of the others
- * are 0. */
+ * before the ground steps. Gain and noise of coordinates that the section does not have are 0. */
 typedef struct {
-    int count;                                /* of settings, up to TDMF_SETTING_LIMIT */
-    const int *settings;                      /* each by tdmf_setting_of, and not twice */
-    double apex[TDMF_SECTION_COUNT];          /* where they are nominal */
-    const double *nominal;                    /* values, in the units of the settings, as the limits */
-    const double (*gain)[TDMF_SECTION_COUNT]; /* per m, m/s and so on */
-    const double *low, *high;                 /* within the ranges of the settings */
-    double noise[TDMF_SECTION_COUNT];         /* standard deviations of what the sensor adds */
-    uint64_t seed;                            /* of the noise */
+    int count;                              /* of settings, up to TDMF_SETTING_LIMIT */
+    const int *settings;                    /* each by tdmf_setting_of, and not twice */
+    double apex[TDMF_POINT_LIMIT];          /* where they are nominal */
+    const double *nominal;                  /* values, in the units of the settings, as the limits */
+    const double (*gain)[TDMF_POINT_LIMIT]; /* per m, m/s and so on */
+    const double *low, *high;               /* within the ranges of the settings */
+    double noise[TDMF_POINT_LIMIT];         /* standard deviations of what the sensor adds */
+    uint64_t seed;                          /* of the noise */
 } tdmf_affine_law;
 
 /* What the law sets, `count` values, for one of the strides of a runner: the first stride is 0. */
-TDMF_API void tdmf_affine_settings(const tdmf_affine_law *law, const double apex[TDMF_SECTION_COUNT],
+TDMF_API void tdmf_affine_settings(const tdmf_affine_law *law, const double apex[TDMF_POINT_LIMIT],
                                    uint64_t runner, uint32_t stride, double *values);
 
 /* A ball of attraction: apices x, the gait's being g, with a Euclidean norm of matrix (x - g) of 1 or less.
  */
 typedef struct {
-    double matrix[TDMF_SECTION_COUNT][TDMF_SECTION_COUNT]; /* per m, m/s and so on; of the reduced map the
-                                                              first two rows and columns */
+    double matrix[TDMF_POINT_LIMIT][TDMF_POINT_LIMIT]; /* per m, m/s and so on; rows and columns of the
+                                                          section's coordinates */
 } tdmf_ball;
 
 /* Terrain: level segments of one length, segment k from x = k length up to, without it, (k + 1) length;
@@ -78,11 +83,11 @@ typedef struct {
  * gait's ball; and how many strides it has to get there. Distance and balls have to be so small that the gait
  * attracts everything within. Without gaits every runner makes the most strides, or falls. */
 typedef struct {
-    const double (*gaits)[TDMF_SECTION_COUNT]; /* their apices */
-    int gait_count;                            /* how many */
-    double distance;                           /* a pure number */
-    const tdmf_ball *balls;                    /* one for each gait, the start's apex may be in it; or NULL */
-    int max_strides;                           /* then the runner is undecided */
+    const double (*gaits)[TDMF_POINT_LIMIT]; /* their apices */
+    int gait_count;                          /* how many */
+    double distance;                         /* a pure number */
+    const tdmf_ball *balls;                  /* one for each gait, the start's apex may be in it; or NULL */
+    int max_strides;                         /* then the runner is undecided */
     double roughness; /* m: at each apex, the start's too, the ground's height gains a step, normal with mean
                          0 and this standard deviation; see tdmf_ground_step. A runner below its step for a
                          whole stride has fallen. Of the return map only */
@@ -108,9 +113,10 @@ typedef struct {
 /* What a runner is given, besides its start. Inputs are held, but for those that are set at apices and for
  * the height of rough ground. */
 typedef struct {
-    const tdmf_model *model;   /* its parameters */
-    tdmf_inputs inputs;        /* throughout */
-    tdmf_ensemble_rules rules; /* when it is done */
+    const tdmf_model *model;           /* its parameters */
+    tdmf_inputs inputs;                /* throughout */
+    const double *parameters, *states; /* or of another page: the numbers with which each stride begins */
+    tdmf_ensemble_rules rules;         /* when it is done */
 } tdmf_ensemble_case;
 
 /* Settings that are given for each runner and stride. They are in force from the apex on at which the stride
@@ -125,7 +131,7 @@ typedef struct {
 /* One stride of a runner. */
 typedef struct {
     int began;                                      /* 1 where it did: else all of it is as it was */
-    double apex[TDMF_SECTION_COUNT];                /* at which it closed */
+    double apex[TDMF_POINT_LIMIT];                  /* at which it closed */
     double foot_x;                                  /* m, where the foot is there */
     tdmf_stride stride;                             /* its quantities */
     double liftoff_angle;                           /* theta_LO, rad */
@@ -147,22 +153,35 @@ typedef struct {
     double states[TDMF_CHECKPOINT_STATES]; /* of its page */
 } tdmf_ensemble_checkpoint;
 
+/* What is noted of a page's strides besides, in rows of all runners and their strides. */
+typedef struct {
+    int count;             /* states */
+    const int *states;     /* their numbers */
+    double *values;        /* at the crossing where the stride closes */
+    int event_room;        /* events of a stride that there is room for */
+    unsigned char *events; /* their numbers, each plus 1; 0 behind the last */
+} tdmf_ensemble_notes;
+
 /* What is to be run, and how. */
 typedef struct {
-    const tdmf_ensemble_case *cases;            /* what the runners are given */
-    int case_count;                             /* how many cases */
-    const int *case_of;                         /* each runner's case; NULL: all the first */
-    const double (*starts)[TDMF_SECTION_COUNT]; /* apices */
-    const double *foot_x;                       /* m, where their feet are; NULL: 0 */
-    int64_t count;                              /* of runners */
-    uint64_t first_number;                      /* of the first; by their numbers rough ground is drawn */
-    double relative_tolerance;                  /* as in tdmf_solver */
-    long step_limit;                            /* of each runner, as in tdmf_solver; 0: TDMF_STEP_LIMIT */
-    int threads;                                /* so many work at once, but no more than runners */
-    tdmf_instructions instructions;             /* how they are stepped */
-    tdmf_apex_map map;                          /* by which all of them go */
-    const tdmf_given_settings *given;           /* or NULL: none are */
-    tdmf_ensemble_stride *strides;              /* what is noted, as strides begin and close; or NULL */
+    const tdmf_page *page; /* a model that runs by the return map of a section, always from a point of it on;
+                              NULL: the runner, which goes by `map` */
+    int section;           /* of the page */
+    const tdmf_ensemble_notes *notes;         /* of a page; or NULL */
+    const tdmf_ensemble_case *cases;          /* what the runners are given */
+    int case_count;                           /* how many cases */
+    const int *case_of;                       /* each runner's case; NULL: all the first */
+    const double (*starts)[TDMF_POINT_LIMIT]; /* apices */
+    const double *foot_x;                     /* m, where their feet are; NULL: 0 */
+    int64_t count;                            /* of runners */
+    uint64_t first_number;                    /* of the first; by their numbers rough ground is drawn */
+    double relative_tolerance;                /* as in tdmf_solver */
+    long step_limit;                          /* of each runner, as in tdmf_solver; 0: TDMF_STEP_LIMIT */
+    int threads;                              /* so many work at once, but no more than runners */
+    tdmf_instructions instructions;           /* how they are stepped */
+    tdmf_apex_map map;                        /* by which all of them go, without a page */
+    const tdmf_given_settings *given;         /* or NULL: none are */
+    tdmf_ensemble_stride *strides;            /* what is noted, as strides begin and close; or NULL */
     int first_stride, stride_count; /* of each runner: the first that is noted, and how many from it on */
     tdmf_ensemble_checkpoint *checkpoints; /* of each runner, written where it stands; or NULL */
     bool goes_on;    /* from checkpoints and ends of an earlier call, with a larger number of most strides */
@@ -188,7 +207,7 @@ typedef struct {
     int gait;                                 /* which, counted from 0; -1 for none */
     int strides;                              /* how many closed */
     int word_code;                            /* of the last stride, see tdmf_stride */
-    double apex[TDMF_SECTION_COUNT];          /* the last; the start while no stride has closed */
+    double apex[TDMF_POINT_LIMIT];            /* the last; the start while no stride has closed */
     double foot_x;                            /* m, where the foot is there */
     double time, distance;                    /* s and m, that the strides took */
     double work;                              /* J, of all strides, as all that follows: of hip and leg */
@@ -224,6 +243,7 @@ typedef struct {
  *   - heights of rough ground, or a friction that is drawn, are also settings;
  *   - a segment of terrain has a length that is not finite or below TDMF_MIN_SEGMENT l0, or a height that is
  *     not finite or beyond 1e9 m;
+ *   - a page, which has no drawn ground and no terrain, is given one;
  *   - terrain comes with a slope, a push, gaits to settle on, the reduced map, or settings of height, slope
  * or push;
  *   - a number of a law or a ball is beyond 1e100, or a law's limits are not a range;
@@ -233,20 +253,20 @@ TDMF_API bool tdmf_run_ensemble(const tdmf_ensemble *ensemble, tdmf_ensemble_end
 
 /* Strides of many runners, and how they are made. */
 typedef struct {
-    const tdmf_system *systems;                   /* of each runner */
-    const double (*sections)[TDMF_SECTION_COUNT]; /* apices from which the strides start */
-    const double *until;                          /* s, that each stride may take; 0: 1e4 sqrt(m/k) */
-    int64_t count;                                /* of strides */
-    tdmf_apex_map map;                            /* by which all of them are made */
-    bool derivatives, measures;                   /* as in tdmf_stride_request */
-    const tdmf_seed *seeds;                       /* along which all strides are differentiated */
-    int seed_count;                               /* how many */
-    int threads;                                  /* so many work at once */
+    const tdmf_system *systems;                 /* of each runner */
+    const double (*sections)[TDMF_POINT_LIMIT]; /* apices from which the strides start */
+    const double *until;                        /* s, that each stride may take; 0: 1e4 sqrt(m/k) */
+    int64_t count;                              /* of strides */
+    tdmf_apex_map map;                          /* by which all of them are made */
+    bool derivatives, measures;                 /* as in tdmf_stride_request */
+    const tdmf_seed *seeds;                     /* along which all strides are differentiated */
+    int seed_count;                             /* how many */
+    int threads;                                /* so many work at once */
 } tdmf_stride_batch;
 
-/* Makes strides side by side in lanes; those of the reduced map one by one. Each result is that of
- * tdmf_run_stride. It depends neither on its neighbours nor on the number of threads. The solver's counters
- * stay as they are. Refuses a batch as a whole, with nothing written, and a stride by its own result. */
+/* Makes strides side by side in lanes. Each result is that of tdmf_run_stride. It depends neither on its
+ * neighbours nor on the number of threads. The solver's counters stay as they are. Refuses a batch as a
+ * whole, with nothing written, and a stride by its own result. */
 TDMF_API tdmf_refusal tdmf_run_strides(const tdmf_solver *solver, const tdmf_stride_batch *batch,
                                        tdmf_return *results);
 

@@ -191,7 +191,7 @@ class Walkers:
         return odds
 
     def _features(self, rows: NDArray[Any]) -> NDArray[np.float64]:
-        return _features((rows["state"]["end"]["apex"] - self.apex) / self.scales)
+        return _features((rows["state"]["end"]["apex"][..., : len(self.apex)] - self.apex) / self.scales)
 
     def _stepped(
         self, rows: NDArray[Any], seed: int, time: int

@@ -24,8 +24,8 @@ from .sources import page_file, page_in
 PACKAGE = Path(__file__).parents[1]
 KERNEL = PACKAGE / "hybrid" / "kernel", PACKAGE / "kernel"
 """Folders of the driver and of what it includes."""
-HEADERS, MAPS = PACKAGE / "native", PACKAGE / "gait"
-"""The public headers, and the sources of return maps of pages."""
+HEADERS, MAPS = PACKAGE / "native", (PACKAGE / "gait", PACKAGE / "ensemble")
+"""The public headers, and folders of the sources of return maps of pages, and of many runs by them."""
 LIBRARY_FLAGS = ("-DTDMF_BUILDS_SHARED_LIBRARY", "-Wno-psabi")
 """Flags of the compiler beside those that FMI units have, too."""
 LANES = "batch_lanes.c"
@@ -154,7 +154,7 @@ def _make_units(model: Any, compiler: Compiler, made: Path, earlier: Path | None
 def _digest_of_kernel() -> str:
     """Digest of the C that every page is compiled with."""
     digest = hashlib.sha256()
-    for folder in (*KERNEL, HEADERS / "tdmf_slip", MAPS):
+    for folder in (*KERNEL, HEADERS / "tdmf_slip", *MAPS):
         for file in sorted(folder.glob("*.[ch]")):
             digest.update(file.read_bytes())
     return digest.hexdigest()
@@ -165,6 +165,7 @@ def _list_in_c(table: Mapping[str, Any], functions: Sequence[str], requirements:
     name, texts = table["c_name"], "\n".join(functions)
     listed = ", ".join(requirements) or "NULL"
     return f"""/* The model of this library. */
+#include "member.h"
 #include "page_map.h"
 #include "{name}.h"
 
@@ -173,6 +174,7 @@ static tdmf_answer *const requirements[] = {{{listed}}};
 const tdmf_page_entry tdmf_pages[] = {{{{"{name}", &tdmf_{name}_model, requirements, {len(requirements)}}}}};
 const int tdmf_page_count = 1;
 const char *const tdmf_build_identity = "{table["id"]}";
+const tdmf_member_kind *const tdmf_runner_kind = NULL;
 """
 
 
@@ -192,7 +194,7 @@ def _sources(
     yield folder / f"{name}_seeds.c", scalar
     yield folder / f"{name}.c", ("-O1", *has)
     yield folder / f"{name}_list.c", has
-    for file in sorted(file for of in (*KERNEL, MAPS) for file in of.glob("*.c")):
+    for file in sorted(file for of in (*KERNEL, *MAPS) for file in of.glob("*.c")):
         if file.name != LANES:
             yield file, scalar
 
@@ -210,7 +212,7 @@ def _compile(table: Mapping[str, Any], files: Mapping[str, str], compiler: Compi
         folder = Path(temporary)
         for name, text in files.items():
             (folder / name).write_text(text, encoding="utf-8")
-        includes = [f"-I{path}" for path in (folder, *KERNEL, HEADERS, MAPS)]
+        includes = [f"-I{path}" for path in (folder, *KERNEL, HEADERS, *MAPS)]
         sources = list(_sources(table, folder, compiler))
         objects = [folder / f"{number}.o" for number in range(len(sources))]
 

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping, Sequence
-from functools import partial
 from typing import Any
 
 import numpy as np
@@ -28,7 +27,6 @@ from .batch_tables import ends_table, recorded_table, strides_table
 from .c_structs import WIDTH
 from .engine import LAST_STRIDE, Engine
 from .laws import AffineLaw, CheckedLaw
-from .own_engine import OwnEngine
 from .own_model import OwnModel
 from .return_map import Along, checked_direction
 from .returns import RunnerStrides
@@ -49,14 +47,13 @@ class Session:
         self.batch = batch
         law, single = batch.law, batch.is_single
         threads = batch.threads or (1 if single or in_block() else os.cpu_count() or 1)
-        self.engine: Any = (OwnEngine if batch.model.is_own else Engine)(batch, threads)
+        self.engine = Engine(batch, threads)
         self.function: CheckedLaw | None = None
-        if isinstance(law, AffineLaw) and isinstance(self.engine, Engine):
+        if isinstance(law, AffineLaw):
             self.engine.obey(law.settings)
         elif law is not None:
-            function = partial(law, first_number=batch.first_number) if isinstance(law, AffineLaw) else law
             self.function = CheckedLaw(
-                function, batch.runner, batch.ground, tuple(batch.varied), tuple(batch.inputs)
+                law, batch.runner, batch.ground, tuple(batch.varied), tuple(batch.inputs)
             )
             self.engine.keep_checkpoints()
         self.names: tuple[str, ...] = ()
@@ -92,7 +89,7 @@ class Session:
             )
         if not np.isfinite(gaits).all():
             raise InputError(f"until: {gaits.tolist()}: allowed: finite numbers")
-        wide = np.zeros((*gaits.shape[:2], max(WIDTH, size)))
+        wide = np.zeros((*gaits.shape[:2], WIDTH))
         wide[..., :size] = gaits
         matrices = None if balls is None else numbers_of("balls", balls)
         if matrices is not None:

@@ -180,7 +180,7 @@ class Given:
                     f"{what} of {number} runners, {most} of {count}; allowed: as many, or one for all"
                 )
         self.is_single = rows.ndim == 1 and count == 1
-        self.starts = np.zeros((count, max(WIDTH, self.size)))
+        self.starts = np.zeros((count, WIDTH))
         self.starts[:, : self.size] = rows
         self.foot_x = None if feet is None else np.broadcast_to(feet, count).copy()
 

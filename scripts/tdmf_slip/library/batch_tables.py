@@ -9,16 +9,18 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..variables.table import Model
+from ..variables.table import MODELS, Model
 from .batch_given import Given
 from .engine import FATES, SETTLED, STOPPED, Engine
 from .laws import AffineLaw
-from .own_engine import OwnEngine
+from .own_model import WORD, OwnModel
 from .own_runs import Strides
 from .quantities import LEDGER, STRIDE_QUANTITIES
 from .return_map import Along
 from .tables import Table
 
+OWN_ENDS = ("fate", "gait", "strides", "apex", "time")
+"""Arrays of the ends of runs of any page; the runner's have more."""
 STRIDE_FATES = ("closed", "fell", "too_long", *FATES[3:6])
 """Fates of strides: those of runners, but for a stride that closed. A run that is undecided before its last
 stride is in one that takes too long. Number `NOT_MADE` is a stride after its runner had settled."""
@@ -138,9 +140,7 @@ def labels_of(batch: Given) -> dict[str, NDArray[Any]]:
     }
 
 
-def ends_table(
-    batch: Given, engine: Engine | OwnEngine, work: Mapping[str, int], recorded: Table | None
-) -> Table:
+def ends_table(batch: Given, engine: Engine, work: Mapping[str, int], recorded: Table | None) -> Table:
     """Ends of the runs, over runners."""
     over: tuple[str, ...] = () if batch.is_single else ("runner",)
 
@@ -150,7 +150,8 @@ def ends_table(
             values = values[:, : batch.size]
         return values[0] if batch.is_single else values
 
-    dimensions = dict.fromkeys(engine.ends.dtype.names or (), over) | {"apex": (*over, "coordinate")}
+    names = OWN_ENDS if batch.model.is_own else engine.ends.dtype.names or ()
+    dimensions = dict.fromkeys(names, over) | {"apex": (*over, "coordinate")}
     return Table(
         dimensions,
         make,
@@ -162,9 +163,7 @@ def ends_table(
     )
 
 
-def recorded_table(
-    batch: Given, engine: Engine | OwnEngine, given: Mapping[str, NDArray[np.float64]]
-) -> Table:
+def recorded_table(batch: Given, engine: Engine, given: Mapping[str, NDArray[np.float64]]) -> Table:
     """Strides that were recorded from the first one on, over runners and strides; `given` is what was set."""
     recorded = engine.recorded
     assert recorded is not None
@@ -173,8 +172,6 @@ def recorded_table(
     closed = strides < engine.ends["strides"][:, None]
     begun = recorded["began"] == 1
     ended = np.where(engine.fates == SETTLED, NOT_MADE, engine.fates)
-    own = isinstance(engine, OwnEngine)
-    names = engine.names if isinstance(engine, OwnEngine) else (*LEDGER, "liftoff_angle")
 
     def of(values: NDArray[Any], there: NDArray[np.bool_] = closed) -> NDArray[np.float64]:
         return np.where(there, values, np.nan)
@@ -184,22 +181,47 @@ def recorded_table(
         "fate": np.where(closed, CLOSED, ended[:, None]).astype(np.int8),
         "apex": np.concatenate([starts[:, None], next_apex[:, :-1]], axis=1),
         "next_apex": next_apex,
-        **{name: of(recorded["stride"][name]) for name in (() if own else STRIDE_QUANTITIES)},
-        **{name: of(recorded[name]) for name in names},
-        "word": _texts_of(recorded["word"] if own else recorded["stride"]["word"]),
+        **{name: of(values) for name, values in _noted(batch.model, engine).items()},
+        "word": _words(batch.model, engine, closed),
     }
-    if not (own or batch.runner.reduced):
-        arrays[FOOT_X] = of(recorded["foot_x"])
     if batch.ground.roughness:
         arrays[GROUND] = of(recorded["ground_height"], begun)
     law = batch.law
-    for number, name in enumerate(law.inputs if isinstance(law, AffineLaw) and not own else ()):
+    for number, name in enumerate(law.inputs if isinstance(law, AffineLaw) else ()):
         arrays[name] = of(recorded["set"][..., number], begun)
     arrays |= {name: of(values, begun) for name, values in given.items()}
     over = ("runner", "stride", "coordinate")
     dimensions = {name: over[: values.ndim] for name, values in arrays.items()}
     labels = {**labels_of(batch), "stride": strides}
     return Table(dimensions, arrays.__getitem__, lambda: labels, about_of(batch.model), batch.runner.record)
+
+
+def _noted(model: Model, engine: Engine) -> Mapping[str, NDArray[Any]]:
+    """Quantities of recorded strides, shape (runners, strides), by name."""
+    recorded = engine.recorded
+    assert recorded is not None
+    if isinstance(model, OwnModel):
+        assert engine.notes is not None
+        values = engine.notes.values.reshape(*recorded.shape, -1)
+        return {
+            name: recorded["stride"]["period"] if state is None else values[..., model.noted[state]]
+            for name, state in model.quantity_states.items()
+        }
+    found = {name: recorded["stride"][name] for name in STRIDE_QUANTITIES}
+    found |= {name: recorded[name] for name in (*LEDGER, "liftoff_angle")}
+    return found if model is MODELS["reduced"] else {**found, FOOT_X: recorded["foot_x"]}
+
+
+def _words(model: Model, engine: Engine, closed: NDArray[np.bool_]) -> NDArray[np.str_]:
+    """Words of recorded strides, as short as the longest of them; empty where none has closed."""
+    assert engine.recorded is not None
+    if not isinstance(model, OwnModel):
+        return _texts_of(engine.recorded["stride"]["word"])
+    notes = engine.notes
+    assert notes is not None
+    codes = notes.values[:, model.noted[model.state_numbers[WORD]]] if model.letters else ()
+    words = model.words(codes, ((row[row > 0] - 1).tolist() for row in notes.events))
+    return _texts_of(np.where(closed, np.array(words, object).reshape(closed.shape), ""))
 
 
 def _texts_of(words: NDArray[Any]) -> NDArray[np.str_]:

@@ -53,8 +53,8 @@ LONGEST_STRIDE = 1e4
 """Longest stride, in sqrt(m/k)."""
 STATE = np.dtype([("end", END), ("checkpoint", dtype_of("tdmf_ensemble_checkpoint"))])
 """A runner at an apex, to go on from."""
-WIDTH: int = RETURN["apex"].shape[0]
-"""Coordinates in the library's arrays, whatever the map."""
+WIDTH: int = c.TDMF_POINT_LIMIT
+"""Coordinates in the library's rows of points, whatever the model."""
 
 
 def viewed(struct: Any, kind: np.dtype[Any]) -> NDArray[Any]:

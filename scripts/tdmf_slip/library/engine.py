@@ -11,10 +11,12 @@ from numpy.typing import NDArray
 from ..errors import StoppedError
 from ..uninterrupted import stop_flag, uninterrupted
 from .binding import c, ffi, text_of
-from .c_structs import END, MODEL, STATE, STRIDE, WIDTH, address, dtype_of
+from .c_structs import END, STATE, STRIDE, WIDTH, address, dtype_of
+from .own_model import EVENT_ROOM, OwnModel
 
 if TYPE_CHECKING:
     from .batch_given import Given
+    from .runner import Runner
 
 FEW = 64
 """Strides that run without a thread of their own: they take milliseconds."""
@@ -36,6 +38,31 @@ ONE_BY_ONE: int = c.TDMF_ONE_BY_ONE
 def instruction_sets() -> tuple[str, ...]:
     """Instruction sets that can be used here, the slowest first."""
     return tuple(name for name, number in INSTRUCTIONS.items() if c.tdmf_has_instructions(number))
+
+
+def map_of(runner: Runner) -> int:
+    """The map that takes a runner from apex to apex."""
+    of: int = c.TDMF_REDUCED_MAP if runner.reduced else c.TDMF_RETURN_MAP
+    return of
+
+
+class Notes:
+    """States and events of a model of one's own that the engine notes where strides close."""
+
+    def __init__(self, model: OwnModel, strides: int) -> None:
+        states = np.array(list(model.noted), np.intc)
+        room = 0 if model.letters else EVENT_ROOM
+        self.values = np.zeros((strides, len(states)))
+        self.events = np.zeros((strides, room), np.uint8)
+        self.struct = ffi.new("tdmf_ensemble_notes *")
+        self.struct.count, self.struct.event_room = len(states), room
+        self._pointers = [
+            ffi.from_buffer(kind, array)
+            for kind, array in zip(
+                ("int[]", "double[]", "unsigned char[]"), (states, self.values, self.events), strict=True
+            )
+        ]
+        self.struct.states, self.struct.values, self.struct.events = self._pointers
 
 
 class AffineSettings:
@@ -82,25 +109,31 @@ class Engine:
     """
 
     def __init__(self, batch: Given, threads: int) -> None:
-        models, inputs, starts, foot_x = batch.models, batch.held, batch.starts, batch.foot_x
-        count = len(starts)
+        models, held, starts, foot_x = batch.models, batch.held, batch.starts, batch.foot_x
+        self.model, count = batch.model, len(starts)
+        self.library = self.model.library if isinstance(self.model, OwnModel) else c
         self.made = 0
         self.ends = np.zeros(count, END)
         self.recorded: NDArray[Any] | None = None
+        self.notes: Notes | None = None
         self.checkpoints: NDArray[Any] | None = None
-        self._kept: list[Any] = [models, starts, foot_x]
-        self._cases = cases = np.zeros(max(len(models), len(inputs)), dtype_of("tdmf_ensemble_case"))
-        step = MODEL.itemsize * np.arange(len(cases), dtype=np.uintp) if len(models) > 1 else 0
-        cases["model"] = address(models) + step
-        cases["inputs"] = inputs.view(cases.dtype["inputs"])
+        self._kept: list[Any] = [models, held, starts, foot_x]
+        self._cases = cases = np.zeros(max(len(models), len(held)), dtype_of("tdmf_ensemble_case"))
         self.rules = cases["rules"]
         self._most = self.rules["max_strides"]
         self._work = ffi.new("tdmf_ensemble_work *")
         self._request = request = ffi.new("tdmf_ensemble *")
+        if isinstance(self.model, OwnModel):
+            request.page, request.section = self.model.page, self.model.checked_section
+            cases["parameters"], cases["states"] = self._rows(models), self._rows(held)
+        else:
+            request.map = map_of(batch.runner)
+            cases["model"], cases["inputs"] = self._rows(models), held.view(cases.dtype["inputs"])
         request.cases, request.case_count = self._pointer("tdmf_ensemble_case[]", cases), len(cases)
         if len(cases) > 1:
             request.case_of = self._pointer("int[]", np.arange(count, dtype=np.intc))
-        request.starts, request.count = ffi.cast("double (*)[6]", self._pointer("double[]", starts)), count
+        wide = f"double (*)[{WIDTH}]"
+        request.starts, request.count = ffi.cast(wide, self._pointer("double[]", starts)), count
         if foot_x is not None:
             request.foot_x = self._pointer("double[]", foot_x)
         request.first_number, request.relative_tolerance = batch.first_number, batch.tolerance
@@ -108,10 +141,14 @@ class Engine:
         request.instructions = ONE_BY_ONE if batch.is_single else BEST
         if batch.instructions is not None:
             request.instructions = INSTRUCTIONS[batch.instructions]
-        request.map = c.TDMF_REDUCED_MAP if batch.runner.reduced else c.TDMF_RETURN_MAP
         self._ends = ffi.from_buffer("tdmf_ensemble_end[]", self.ends)
         if batch.ground.is_drawn:
             self._run_on(batch.ground.rules, batch.ground.terrain)
+
+    def _rows(self, array: NDArray[Any]) -> Any:
+        """Address of each row of an array that lives as long as the request, or of the only one."""
+        begin, size = address(array), array.nbytes // max(1, len(array))
+        return begin + size * np.arange(len(array), dtype=np.uintp) if len(array) > 1 else begin
 
     @property
     def fates(self) -> NDArray[np.int32]:
@@ -175,6 +212,9 @@ class Engine:
         self.recorded = recorded = np.zeros((len(self.ends), strides), STRIDE)
         self._request.strides = self._pointer("tdmf_ensemble_stride[]", recorded)
         self._request.first_stride, self._request.stride_count = self.made, strides
+        if isinstance(self.model, OwnModel):
+            self.notes = Notes(self.model, len(self.ends) * strides)
+            self._request.notes = self.notes.struct
         return recorded
 
     def record_next(self) -> None:
@@ -210,7 +250,7 @@ class Engine:
         def engine() -> bool:
             request.stop = ffi.from_buffer("int[]", flag)
             try:
-                complete = bool(c.tdmf_run_ensemble(request, self._ends, self._work))
+                complete = bool(self.library.tdmf_run_ensemble(request, self._ends, self._work))
             finally:
                 request.stop = ffi.NULL
             if flag[0]:

@@ -3,7 +3,7 @@
 import json
 import os
 import threading
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -25,6 +25,10 @@ WORD, LIFTOFF = "stride.word", "hip.liftoff_angle"
 """Names in a unit of a stride's word and of the leg's angle at lift-off."""
 OF_A_STRIDE, OF_ENERGY, OF_APEX = "stride.", "energy.", "apex."
 """Beginnings of the names of states whose values at the next crossing are quantities of a stride."""
+EVENT_ROOM = 64
+"""Events of a stride that are kept."""
+BETWEEN_EVENTS = "-"
+"""Separator of the events in the word of a stride."""
 PERIOD = Quantity("period", "s", "Time from one crossing of the section to the next", "")
 FREQUENCY = Quantity("frequency", "Hz", "Strides per second, one over the period", "")
 _loaded: dict[tuple[Path, str, str], "OwnModel"] = {}
@@ -114,10 +118,56 @@ class OwnModel(Model):
         }
         return tuple(places[name] for name in self.names)
 
+    def setting_number(self, name: str) -> int:
+        """Number of a setting for the engine: that of the parameter, or of the state behind all of them."""
+        is_state, number = self.value_places[self.positions[name]]
+        return number + len(self.table["parameters"]) if is_state else number
+
     @cached_property
     def state_numbers(self) -> Mapping[str, int]:
         """Numbers of states by their names in a unit."""
         return {state["public"]: number for number, state in enumerate(self.table["states"])}
+
+    @cached_property
+    def quantity_states(self) -> Mapping[str, int | None]:
+        """Number of the state that is a quantity of a stride; None for the time of the run."""
+        of = self.state_numbers
+        own = {"liftoff_angle": LIFTOFF}
+        return {
+            name: of.get(own.get(name, f"{OF_A_STRIDE}{name}"), of.get(f"{OF_ENERGY}{name}"))
+            for name, quantity in self.quantities.items()
+            if name != "frequency" and not quantity.coordinate
+        }
+
+    @cached_property
+    def letters(self) -> str:
+        """Letters of the words of strides; empty where a word is the names of its events."""
+        number = self.state_numbers.get(WORD)
+        return "" if number is None else str(self.table["states"][number]["letters"])
+
+    @cached_property
+    def noted(self) -> Mapping[int, int]:
+        """Columns of the states that make quantities and words of strides, by their numbers."""
+        numbers = [number for number in self.quantity_states.values() if number is not None]
+        word = [self.state_numbers[WORD]] if self.letters else []
+        return {number: column for column, number in enumerate(dict.fromkeys([*numbers, *word]))}
+
+    def words(self, codes: Iterable[float], events: Iterable[Iterable[int]]) -> list[str]:
+        """Words of strides: texts whose letters are the digits of numbers, or names of events."""
+        if self.letters:
+            return [_text(code, self.letters) for code in codes]
+        names = self.table["events"]
+        return [BETWEEN_EVENTS.join(names[event] for event in row) for row in events]
+
+    @property
+    def checked_section(self) -> int:
+        """Number of the section. Raises InputError where the page has none."""
+        if self.section < 0:
+            raise InputError(
+                f"model {self.name}: its page has no section, so that it has no strides; "
+                "allowed: simulate, or a page with @section"
+            )
+        return self.section
 
     @cached_property
     def clock(self) -> int | None:
@@ -214,6 +264,15 @@ def load_model(path: str | os.PathLike[str], *, section: str | None = None) -> O
             _loaded[key] = _model(folder, table, number)
         OWN_MODELS[_loaded[key].name] = _loaded[key]
         return _loaded[key]
+
+
+def _text(code: float, letters: str) -> str:
+    """A text whose letters are the digits of a number; empty for a number below 0."""
+    digits, rest = [], int(code)
+    while rest > 0:
+        rest, digit = divmod(rest, len(letters))
+        digits.append(letters[digit])
+    return "".join(reversed(digits))
 
 
 def _unpickled(folder: str, section: str | None) -> OwnModel:

@@ -6,19 +6,14 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import InputError
 from ..uninterrupted import stop_flag
 from .binding import c, ffi
 from .c_structs import dtype_of
 from .events import Event
 from .members import Along
-from .own_model import LIFTOFF, OF_A_STRIDE, OF_ENERGY, WORD, OwnModel
+from .own_model import EVENT_ROOM, WORD, OwnModel
 from .returns import RunnerStrides
 
-EVENT_ROOM = 64
-"""Events of a stride that are kept."""
-BETWEEN_EVENTS = "-"
-"""Separator of the events in the word of a stride."""
 LONGEST = 1e4
 """Longest stride, s. The package's own models allow as many of their units of time."""
 SEEDS = 8
@@ -63,46 +58,32 @@ class OwnStrides:
 
     def quantity(self, name: str) -> NDArray[np.float64]:
         """A quantity of the strides, shape (runners,)."""
-        place = self._place(name)
         if name == "frequency":
             return 1.0 / self.quantity("period")
-        if isinstance(place, str):
-            return self.points[:, self.model.coordinates.index(place)]
-        return self.ends["time"] if place is None else self.states[:, place]
+        if coordinate := self.model.quantities[name].coordinate:
+            return self.points[:, self.model.coordinates.index(coordinate)]
+        state = self.model.quantity_states[name]
+        return self.ends["time"] if state is None else self.states[:, state]
 
     def derivative(self, name: str) -> NDArray[np.float64]:
         """Derivatives of a quantity by coordinates and seeds, shape (runners, by)."""
         assert self.d_states is not None
         if name == "frequency":
             return -self.derivative("period") / self.quantity("period")[:, None] ** 2
-        place = self._place(name)
-        if isinstance(place, str):
+        if coordinate := self.model.quantities[name].coordinate:
             row = np.zeros(self.d_states.shape[:2])
-            row[:, self.model.coordinates.index(place)] = 1.0
+            row[:, self.model.coordinates.index(coordinate)] = 1.0
             return row
-        at = self.model.clock if place is None else place
+        state = self.model.quantity_states[name]
+        at = self.model.clock if state is None else state
         return np.full(self.d_states.shape[:2], np.nan) if at is None else self.d_states[:, :, at]
-
-    def _place(self, name: str) -> int | str | None:
-        """Number of the state that is a quantity, or name of the coordinate; None for the time."""
-        quantity, of = self.model.quantities[name], self.model.state_numbers
-        if quantity.coordinate:
-            return quantity.coordinate
-        own = LIFTOFF if name == "liftoff_angle" else f"{OF_A_STRIDE}{name}"
-        return of.get(own, of.get(f"{OF_ENERGY}{name}"))
 
     @property
     def words(self) -> list[str]:
         """Words of the strides: that of the page, or the names of their events."""
-        number = self.model.state_numbers.get(WORD)
-        letters = "" if number is None else self.model.table["states"][number]["letters"]
-        if letters:
-            return [_text(code, letters) for code in self.states[:, number]]
-        names, counts = self.model.table["events"], np.minimum(self.ends["event_count"], EVENT_ROOM)
-        return [
-            BETWEEN_EVENTS.join(names[event] for event in row["event"][:count])
-            for row, count in zip(self.rows, counts, strict=True)
-        ]
+        counts = np.minimum(self.ends["event_count"], EVENT_ROOM)
+        events = (row["event"][:count] for row, count in zip(self.rows, counts, strict=True))
+        return self.model.words(self.states[:, self.model.state_numbers.get(WORD, 0)], events)
 
     @property
     def events(self) -> tuple[Event, ...]:
@@ -128,15 +109,6 @@ class OwnStrides:
 
 Strides: TypeAlias = RunnerStrides | OwnStrides
 """One stride of each of some runners. Numbers of a stride that has not closed mean nothing."""
-
-
-def _text(code: float, letters: str) -> str:
-    """A text whose letters are the digits of a number; empty for a number below 0."""
-    digits, rest = [], int(code)
-    while rest > 0:
-        rest, digit = divmod(rest, len(letters))
-        digits.append(letters[digit])
-    return "".join(reversed(digits))
 
 
 def strides_of(
@@ -200,14 +172,10 @@ class MapRequest:
         *,
         is_section_needed: bool = True,
     ) -> None:
-        if model.section < 0 and is_section_needed:
-            raise InputError(
-                f"model {model.name}: its page has no section, so that it has no strides; "
-                "allowed: simulate, or a page with @section"
-            )
+        section = model.checked_section if is_section_needed else model.section
         self.map = ffi.new("tdmf_page_map *")
         self._kept = [np.ascontiguousarray(array, float) for array in (parameters, states)]
-        self.map.page, self.map.section = model.page, model.section
+        self.map.page, self.map.section = model.page, section
         self.map.parameters, self.map.states = (ffi.from_buffer("double[]", array) for array in self._kept)
         self.map.tolerance = tolerance
         self.map.longest = LONGEST if longest is None else longest

@@ -10,6 +10,7 @@ from ..errors import InputError
 from ..variables.table import MODELS, Model
 from .binding import c
 from .ground import RoughGround
+from .own_model import OwnModel
 from .runner import Runner
 
 SETTINGS = MODELS["full"].settings
@@ -28,10 +29,14 @@ CONSTANT_ON_TERRAIN = ("ground.height", "ground.slope", "body.external_fx", "bod
 
 
 def setting_number(name: object, what: str, model: Model = MODELS["full"]) -> int:
-    """A setting as the library knows it; of a model of one's own, its place among a runner's values."""
+    """A setting as the library knows it: of a model of one's own, a parameter or a state behind them."""
     known = model.settings
     if is_one_of(name, known):
-        return model.positions[name] if model.is_own else int(c.tdmf_setting_of(name.encode()))
+        return (
+            model.setting_number(name)
+            if isinstance(model, OwnModel)
+            else int(c.tdmf_setting_of(name.encode()))
+        )
     allowed = ", ".join(known) or "none; a page declares settings, and parameters that are tunable"
     if is_one_of(name, model.varied):
         raise InputError(f"{what}: {name} cannot change in a run; allowed: {allowed}")
