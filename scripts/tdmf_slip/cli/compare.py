@@ -1,18 +1,16 @@
 """The command `compare`: runners matched in what could confound a comparison."""
 
-from collections.abc import Iterable
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
 import click
 import numpy as np
 
 from ..analysis.comparison import compare
-from ..analysis.sweeps import gaits_in
 from ..errors import InputError
-from ..library.gait import Gait
-from ..library.quantities import QUANTITIES, known_quantities, quantities_of, unit_of
+from ..library.quantities import QUANTITIES, known_quantities, unit_of
 from ..library.runner import Runner
-from ..record import origin_of
+from ..record import origin_of, runner_in
 from ..terminal.text import headed, table
 from ..variables.table import FRICTION, VARIABLES
 from .command import Answer, command, option
@@ -65,8 +63,19 @@ def compare_command(
     runners = _runners(frictions, files, settings, model)
     names = names_given(hold)
     found = compare(runners, hold=names, vary=names_given(vary), model=model, progress=True)
-    gaits = gaits_in(found)
-    return Answer(_plain(found, gaits), _table(found, gaits))
+    missed, quantities = _not_held(found), known_quantities(runners[0])
+    plain = {
+        **origin_of(runners[0]),
+        "hold": found.hold.split(", "),
+        "vary": found.vary.split(", "),
+        "runners": [_runner_object(found.sel(runner=number), quantities) for number in found["runner"]],
+        "not_held": missed,
+    }
+    lines = [
+        f"not held: {of['quantity']} of runner {of['runner']} is {of['has']:.6g}, not {of['wanted']:.6g}"
+        for of in missed
+    ]
+    return Answer(plain, "\n".join([_table(found, runners[0], quantities), "", "* held", *lines]))
 
 
 def _varied(found: "xarray.Dataset") -> list[str]:
@@ -76,71 +85,45 @@ def _varied(found: "xarray.Dataset") -> list[str]:
 
 def _not_held(found: "xarray.Dataset") -> list[dict[str, Any]]:
     """Quantities that could not be made equal, with what was wanted and what the runner has."""
-    missed = np.argwhere(found["held"].values == 0).tolist()
-    names = found["quantity"].values.tolist()
-    after = found.sel(step="after")
+    missed, names = np.argwhere(found["held"].values == 0).tolist(), found["quantity"].values.tolist()
+    after = {name: found[name].sel(step="after").values.tolist() for name in names}
     return [
-        {
-            "runner": number,
-            "quantity": names[column],
-            "wanted": after[names[column]].values[0].item(),
-            "has": after[names[column]].values[number].item(),
-        }
-        for number, column in missed
+        {"runner": number, "quantity": name, "wanted": after[name][0], "has": after[name][number]}
+        for number, name in ((number, names[column]) for number, column in missed)
     ]
 
 
-def _plain(found: "xarray.Dataset", gaits: list[Gait]) -> dict[str, object]:
-    """The comparison as a plain object."""
-    return {
-        **origin_of(gaits[0].runner),
-        "hold": found.hold.split(", "),
-        "vary": found.vary.split(", "),
-        "runners": [
-            {
-                "parameters": {name: after.runner[name] for name in _varied(found)},
-                "runner": dict(after.runner),
-                "before": _reported(before),
-                "after": _reported(after),
-            }
-            for before, after in zip(gaits[::2], gaits[1::2], strict=True)
-        ],
-        "not_held": _not_held(found),
-    }
+def _runner_object(found: "xarray.Dataset", quantities: Sequence[str]) -> dict[str, Any]:
+    """A runner before and after as a plain object."""
+    parameters = {name: found[name].sel(step="after").item() for name in _varied(found)}
+    gaits = {}
+    for step in ("before", "after"):
+        gait = found.sel(step=step)
+        largest = gait["lambda_max"].item()
+        about = {"word": gait["word"].item(), "stable": largest < 1.0, "lambda_max": largest}
+        gaits[step] = about | {name: gait[name].item() for name in quantities}
+    return {"parameters": parameters, "runner": {**runner_in(found), **parameters}, **gaits}
 
 
-def _reported(gait: Gait) -> dict[str, object]:
-    about = {"word": gait.word, "stable": gait.stable, "lambda_max": gait.lambda_max}
-    return about | quantities_of(gait, known_quantities(gait.runner))
+def _table(found: "xarray.Dataset", runner: Runner, quantities: Sequence[str]) -> str:
+    """Every quantity of every runner, as given and after; a star marks what is held."""
+    steps = [("runner 0", 0, "after")]
+    for number in range(1, found.sizes["runner"]):
+        steps += [(f"runner {number} as given", number, "before"), (f"runner {number}", number, "after")]
 
+    def row(name: str, head: str, show: Callable[[Any], str] = "{:.6g}".format) -> tuple[str, ...]:
+        values = (found[name].sel(runner=number, step=step).item() for _, number, step in steps)
+        return (head, *map(show, values))
 
-def _table(found: "xarray.Dataset", gaits: list[Gait]) -> str:
-    """Every quantity of every runner, before and after, and what could not be held; a star marks what is."""
-    runner = gaits[0].runner
-    columns = [("runner 0", gaits[1])]
-    for number, gait in enumerate(gaits[2:], start=2):
-        columns.append((f"runner {number // 2}" + (" as given" if number % 2 == 0 else ""), gait))
-
-    def row(name: str, unit: str, mark: str, values: Iterable[float]) -> tuple[str, ...]:
-        return (headed(name, runner.label(unit)) + mark, *(f"{value:.6g}" for value in values))
-
-    rows = [
-        row(name, VARIABLES[name].unit, "", (gait.runner[name] for _, gait in columns))
-        for name in _varied(found)
+    rows = [row(name, headed(name, runner.label(VARIABLES[name].unit))) for name in _varied(found)]
+    rows += [
+        row("word", "word", str),
+        row("lambda_max", "stable", lambda value: "yes" if value < 1.0 else "no"),
     ]
-    rows.append(("word", *(gait.word for _, gait in columns)))
-    rows.append(("stable", *("yes" if gait.stable else "no" for _, gait in columns)))
-    for name in known_quantities(runner):
-        mark = " *" if name in found["quantity"].values else ""
-        rows.append(
-            row(name, unit_of(name), mark, (quantities_of(gait, [name])[name] for _, gait in columns))
-        )
-    rows.append(("lambda_max", *(f"{gait.lambda_max:.6g}" for _, gait in columns)))
-    missed = [
-        f"not held: {of['quantity']} of runner {of['runner']} is {of['has']:.6g}, not {of['wanted']:.6g}"
-        for of in _not_held(found)
-    ]
-    return "\n".join([table(("", *(title for title, _ in columns)), rows), "", "* held", *missed])
+    for name in quantities:
+        mark = " *" if name in found["quantity"] else ""
+        rows.append(row(name, headed(name, runner.label(unit_of(name))) + mark))
+    return table(("", *(head for head, _, _ in steps)), [*rows, row("lambda_max", "lambda_max")])
 
 
 def _runners(

@@ -9,7 +9,7 @@ import xarray
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.cm import ScalarMappable
-from matplotlib.colors import Colormap, ListedColormap
+from matplotlib.colors import ListedColormap
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
@@ -72,25 +72,23 @@ def figure_of(data: "xarray.Dataset") -> Figure:
 def paint(axes: Axes, data: "xarray.Dataset") -> list[Artist]:
     """Paint the map into axes of a figure."""
     vertical, horizontal = map(str, data["fate"].dims)
-    edges = edges_of(data[horizontal].values), edges_of(data[vertical].values)
+    edges = style.edges_of(data[horizontal].values), style.edges_of(data[vertical].values)
     fate, strides = data["fate"].values, data[STRIDES].values
     axes.set_xlim(min(edges[0]), max(edges[0]))
     axes.set_ylim(min(edges[1]), max(edges[1]))
     style.label(axes, _label(data, horizontal), _label(data, vertical))
     for name, (colours, label) in COUNTED.items():
-        shown = np.ma.masked_where(fate != FATES.index(name), strides)
-        if shown.count():
-            maximum = max(1, shown.max())
-            mesh = axes.pcolormesh(
-                *edges, shown, cmap=_without_palest(colours), vmin=0, vmax=maximum, rasterized=True
+        where = fate == FATES.index(name)
+        if where.any():
+            palest_left_out = ListedColormap(matplotlib.colormaps[colours](np.linspace(0.0, PALEST, 256)))
+            mesh = style.paint_cells(
+                axes, edges, where, palest_left_out, strides, max(1, strides[where].max())
             )
             axes.figure.colorbar(mesh, ax=axes, label=label, pad=0.01, ticks=MaxNLocator(integer=True))
     handles: list[Artist] = [_cross(axes, data, horizontal, vertical)]
     for name, where in _others(data).items():
         colour, label = OTHERS[name]
-        axes.pcolormesh(
-            *edges, np.ma.masked_where(~where, where), cmap=ListedColormap([colour]), rasterized=True
-        )
+        style.paint_cells(axes, edges, where, colour)
         handles.append(Patch(color=colour, label=label))
     return handles
 
@@ -99,19 +97,6 @@ def _others(data: "xarray.Dataset") -> dict[str, NDArray[np.bool_]]:
     """Mask of the fates that are not shaded by strides."""
     where = {name: data["fate"].values == number for number, name in enumerate(FATES) if name in OTHERS}
     return {name: starts for name, starts in where.items() if starts.any()}
-
-
-def edges_of(values: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Edges midway between values, and as far beyond the outer values; for a single value, around it."""
-    if len(values) == 1:
-        around: NDArray[np.float64] = values[0] + max(0.05 * abs(values[0]), 0.05) * np.array([-1.0, 1.0])
-        return around
-    between = 0.5 * (values[1:] + values[:-1])
-    return np.concatenate([[2.0 * values[0] - between[0]], between, [2.0 * values[-1] - between[-1]]])
-
-
-def _without_palest(name: str) -> Colormap:
-    return ListedColormap(matplotlib.colormaps[name](np.linspace(0.0, PALEST, 256)))
 
 
 def _title(data: "xarray.Dataset", settled: NDArray[np.bool_]) -> str:
@@ -165,17 +150,9 @@ def _mark_small(
     vertical, horizontal = map(str, data["fate"].dims)
     rows_of, columns_of = np.nonzero(where)
     at = data[horizontal].values[columns_of], data[vertical].values[rows_of]
+    look: dict[str, Any] = {"markeredgewidth": 0.0, "scalex": False, "scaley": False, "rasterized": True}
     for size, filled in ((SMALLEST + 2.0 * RIM, "white"), (SMALLEST, colour)):
-        axes.plot(
-            *at,
-            "s",
-            color=filled,
-            markersize=size,
-            markeredgewidth=0.0,
-            scalex=False,
-            scaley=False,
-            rasterized=True,
-        )
+        axes.plot(*at, "s", color=filled, markersize=size, **look)
 
 
 def _label(data: "xarray.Dataset", axis: str) -> str:
@@ -236,27 +213,19 @@ def of_runs(runs: "xarray.Dataset") -> Figure:
     name = next((str(name) for name in runs.coords if len(np.unique(runs[name])) > 1), None)
     numeric = name is not None and runs[name].dtype.kind in "iuf"
     along = runs[name].values if name is not None and numeric else np.arange(len(runs["fallen"]))
-    variables = VARIABLES
-    values = {
-        of: 1.0 if of not in runs.coords or np.all(runs[of] == 1.0) else np.nan for of in paper_units.SCALES
-    }
+    values = {of: float((runs[of] == 1.0).all()) if of in runs else 1.0 for of in paper_units.SCALES}
     figure, panels = style.subplots(2, 1, figsize=(6.8, 5.4), sharex=True)
     for axes, quantity in zip(panels, REPORTED, strict=True):
         for fell, colour, label in ((False, style.CURVE, "ran"), (True, "#b3216f", "fell in the end")):
             where = runs["fallen"].values == fell
-            if not where.any():
-                continue
-            axes.plot(
-                along[where], runs[quantity].values[where], "o", color=colour, markersize=4.5, label=label
-            )
-        words = quantity.replace("_", " ")
-        style.label(
-            axes, "", style.with_unit(words, paper_units.label(variables[f"stride.{quantity}"].unit, values))
-        )
-    label = "run"
-    if name is not None and numeric:
-        label = style.with_unit(name, paper_units.label(variables[name].unit, values))
-    panels[-1].set_xlabel(label)
+            if where.any():
+                axes.plot(
+                    along[where], runs[quantity].values[where], "o", color=colour, markersize=4.5, label=label
+                )
+        unit = paper_units.label(VARIABLES[f"stride.{quantity}"].unit, values)
+        axes.set_ylabel(style.with_unit(quantity.replace("_", " "), unit))
+    unit = paper_units.label(VARIABLES[name].unit, values) if name and numeric else ""
+    panels[-1].set_xlabel(style.with_unit(name, unit) if name and numeric else "run")
     figure.legend(*panels[0].get_legend_handles_labels(), loc="outside lower center", ncols=2)
     panels[0].set_title(f"last stride of {len(along):,} runs")
     return figure
@@ -289,16 +258,12 @@ def of_viable_set(found: xarray.Dataset) -> Figure:
 def paint_viable_set(axes: Axes, found: xarray.Dataset, maximum: float | None = None) -> ScalarMappable:
     """Paint the sets into axes of a figure."""
     vertical, horizontal = map(str, found["viable"].dims)
-    heights, speeds = (found[f"{axis}_edge"].values for axis in (vertical, horizontal))
+    edges = found[f"{horizontal}_edge"].values, found[f"{vertical}_edge"].values
     states, robustness = found["viable"].values, found["inner_robustness"].values
     for level, colour in ((0, NOT_VIABLE), (1, OPEN)):
-        shown = np.ma.masked_where(states != level, np.zeros(states.shape))
-        axes.pcolormesh(speeds, heights, shown, cmap=ListedColormap([colour]), rasterized=True)
-    shares = np.ma.masked_where(states != 2, robustness)
+        style.paint_cells(axes, edges, states == level, colour)
     largest = maximum or float(np.max(robustness)) or 1.0
-    mesh = axes.pcolormesh(
-        speeds, heights, shares, cmap=VIABLE_COLOURS, vmin=0.0, vmax=largest, rasterized=True
-    )
+    mesh = style.paint_cells(axes, edges, states == 2, VIABLE_COLOURS, robustness, largest)
     runner = Runner(runner_in(found), model=found.model)
     labels = [
         style.with_unit(_in_words(axis), runner.label(runner.model.coordinate(axis).unit))

@@ -14,6 +14,8 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.axis import Axis
 from matplotlib.backend_bases import RendererBase
+from matplotlib.collections import QuadMesh
+from matplotlib.colors import Colormap, ListedColormap
 from matplotlib.figure import Figure
 from matplotlib.path import Path as Outline
 from matplotlib.patheffects import withStroke
@@ -209,6 +211,29 @@ def label(axes: Axes, horizontal: str, vertical: str) -> None:
     """Name both axes."""
     axes.set_xlabel(horizontal)
     axes.set_ylabel(vertical)
+
+
+def edges_of(values: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Edges midway between values, and as far beyond the outer values; for a single value, around it."""
+    if len(values) == 1:
+        around: NDArray[np.float64] = values[0] + max(0.05 * abs(values[0]), 0.05) * np.array([-1.0, 1.0])
+        return around
+    between = 0.5 * (values[1:] + values[:-1])
+    return np.concatenate([[2.0 * values[0] - between[0]], between, [2.0 * values[-1] - between[-1]]])
+
+
+def paint_cells(
+    axes: Axes,
+    edges: Any,
+    where: NDArray[np.bool_],
+    colours: Any,
+    values: Any = 0.0,
+    largest: float = 1.0,
+) -> QuadMesh:
+    """Paint the cells of a mask in one colour, or in shades of a colour map from 0 to the largest value."""
+    shades = colours if isinstance(colours, Colormap) else ListedColormap([colours])
+    shown = np.ma.masked_where(~where, np.broadcast_to(values, where.shape))
+    return axes.pcolormesh(*edges, shown, cmap=shades, vmin=0.0, vmax=largest, rasterized=True)
 
 
 class _Scaled(AutoLocator):

@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Any
 import matplotlib
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.colors import ListedColormap
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 from matplotlib.ticker import LogLocator, StrMethodFormatter
@@ -19,7 +18,6 @@ from ..record import runner_in
 from ..variables.display_units import DisplayUnits
 from ..variables.table import model_named
 from . import style
-from .basin_map import edges_of
 
 if TYPE_CHECKING:
     import xarray
@@ -99,7 +97,7 @@ def _words(axes: Axes, values: NDArray[np.float64], words: Sequence[str]) -> Non
 def _map(gaits: "xarray.Dataset", display: DisplayUnits) -> Figure:
     """Speed on the left, words on the right; white where no gait was found."""
     vertical, horizontal = map(str, gaits["word"].dims)
-    edges = edges_of(gaits[horizontal].values), edges_of(gaits[vertical].values)
+    edges = style.edges_of(gaits[horizontal].values), style.edges_of(gaits[vertical].values)
     words = gaits["word"].values
     figure, panels = style.subplots(1, 2, figsize=(10.4, 4.6), sharey=True)
     speeds = np.ma.masked_invalid(gaits["speed"].values)
@@ -108,8 +106,7 @@ def _map(gaits: "xarray.Dataset", display: DisplayUnits) -> Figure:
     handles = []
     for number, word in enumerate(sorted({word for word in words.ravel() if word})):
         colour = WORD_COLOURS[number % len(WORD_COLOURS)]
-        there = np.ma.masked_where(words != word, np.zeros(speeds.shape))
-        panels[1].pcolormesh(*edges, there, cmap=ListedColormap([colour]), rasterized=True)
+        style.paint_cells(panels[1], edges, words == word, colour)
         handles.append(Patch(color=colour, label=style.word(word)))
     panels[1].legend(handles=handles, title="word", loc="upper left", bbox_to_anchor=(1.01, 1.0))
     for axes in panels:
