@@ -21,7 +21,6 @@ import numpy as np
 import pytest
 import tdmf_slip
 import xarray
-from fmpy.fmi2 import FMU2Model
 from tdmf_slip.cli.main import main
 
 RELEASE = os.environ.get("TDMF_SLIP_RELEASE") == "1"
@@ -169,68 +168,6 @@ def unit_reference():
 def apex_start(apex):
     """State of a Table 1 runner at an apex, from the section's six coordinates."""
     return tdmf_slip.Runner({}).state_at(apex)
-
-
-class Instance:
-    """A Model Exchange instance, driven call by call."""
-
-    def __init__(self, model, description):
-        self.model = model
-        self.references = {v.name: v.valueReference for v in description.modelVariables}
-
-    def real(self, *names):
-        return np.array(self.model.getReal([self.references[name] for name in names]))
-
-    def boolean(self, name):
-        return bool(self.model.getBoolean([self.references[name]])[0])
-
-    def text(self, name):
-        return self.model.getString([self.references[name]])[0].decode()
-
-
-@pytest.fixture
-def new_instance(unpacked, description):
-    """Makes instances; frees them at the end of the test."""
-    made = []
-
-    def make():
-        model = FMU2Model(
-            guid=description.guid,
-            unzipDirectory=unpacked,
-            modelIdentifier=description.modelExchange.modelIdentifier,
-            instanceName=f"runner{len(made)}",
-        )
-        model.instantiate()
-        made.append(model)
-        return Instance(model, description)
-
-    yield make
-    for model in made:
-        model.freeInstance()
-
-
-@pytest.fixture
-def run(unpacked, description, new_instance):
-    """Runs the unit through FMPy's CVODE; returns the recorded rows and the instance, still readable."""
-
-    def simulate(stop_time, start_values, tolerance=1e-9, output_interval=0.5, output=(), inputs=None):
-        instance = new_instance()
-        rows = fmpy.simulate_fmu(
-            unpacked,
-            model_description=description,
-            fmu_instance=instance.model,
-            fmi_type="ModelExchange",
-            stop_time=stop_time,
-            start_values=dict(start_values),
-            relative_tolerance=tolerance,
-            output_interval=output_interval,
-            output=list(output),
-            input=inputs,
-            terminate=False,
-        )
-        return rows, instance
-
-    return simulate
 
 
 @pytest.fixture
