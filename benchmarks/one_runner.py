@@ -8,7 +8,7 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 from tdmf_slip.fmu.fmu import Fmu
-from tdmf_slip.fmu.instance import opened
+from tdmf_slip.fmu.instance import Experiment, Instance, opened
 from tdmf_slip.library.section import COORDINATES, Apex
 from tdmf_slip.uninterrupted import uninterrupted
 
@@ -20,14 +20,15 @@ STRIDES = {"native": 2000, "cvode": 50, "scipy": 5, "numba": 100, "heyoka": 200}
 """Timed in each repeat."""
 
 
-def starts(fmu: Fmu, many: Runners, solver: str, tolerance: float, apex: Apex) -> dict[str, float | int]:
-    """Start values of a run from an apex by a solver of the unit."""
-    methods = fmu.variables["solver.method"].items
-    return {
+def run(instance: Instance, many: Runners, solver: str, tolerance: float, apex: Apex, end: float) -> None:
+    """Run an instance from an apex by a solver of the unit, in one communication step."""
+    methods = instance.fmu.variables["solver.method"].items
+    starts = {
         **many.runner.start_values(apex),
         "solver.method": {name: number for number, name in methods.items()}[solver],
         "solver.relative_tolerance": tolerance,
     }
+    instance.simulate(Experiment(end, tolerance, end, starts), lambda *_: True)
 
 
 def stride_error(fmu: Fmu, many: Runners, solver: str, tolerance: float) -> float:
@@ -36,8 +37,7 @@ def stride_error(fmu: Fmu, many: Runners, solver: str, tolerance: float) -> floa
     apices = []
     for apex, duration in zip(many.judged, many.exact.time, strict=True):
         with opened(fmu, "cs") as runner:
-            runner.start(starts(fmu, many, solver, tolerance, apex))
-            runner.advance(0.0, 1.001 * duration)
+            run(runner, many, solver, tolerance, apex, 1.001 * duration)
             apices.append([runner.value(name) for name in names])
     return many.error(np.array(apices))
 
@@ -50,9 +50,8 @@ def measure_fmu(fmu: Fmu, many: Runners, solver: str, effort: float) -> Iterator
         times, evaluations = [], 0
         for _ in range(REPEATS):
             with opened(fmu, "cs") as runner:
-                runner.start(starts(fmu, many, solver, tolerance, many.gait.apex))
                 start = time.perf_counter()
-                runner.advance(0.0, duration)
+                run(runner, many, solver, tolerance, many.gait.apex, duration)
                 times.append(time.perf_counter() - start)
                 evaluations = runner.value("solver.evaluations")
         yield Measurement(

@@ -1,4 +1,4 @@
-"""Calls of Co-Simulation through FMPy: reading before the start as PyFMI does, and states across processes."""
+"""Co-Simulation through FMPy: reading before the start as PyFMI does, and states across processes."""
 
 import multiprocessing
 

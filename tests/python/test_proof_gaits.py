@@ -1,4 +1,4 @@
-"""Proofs of gaits off Table 1: slopes, thrust, retraction, pushes; of random runners; what they attract."""
+"""Proofs of the gaits and borders of independent programs and of random runners; what gaits attract."""
 
 import functools
 import json
@@ -7,53 +7,57 @@ import pathlib
 import numpy as np
 import pytest
 import tdmf_slip
-from conftest import CLAMPED, release, some_of
+from conftest import CLAMPED, RELEASE, release, some_of
+from references import FREE, FURTHER, GAITS, name_of
 from tdmf_slip.errors import TdmfSlipError
 from tdmf_slip.library.fixed_point import gait_near
 from tdmf_slip.library.strides import strides_from
 
 pytest.importorskip("flint")
 
-
-FURTHER = json.loads(pathlib.Path(__file__).with_name("further_gaits.json").read_text(encoding="utf-8"))[
-    "gaits"
-]
-PUBLISHED = [
-    gait["friction"]
-    for gait in json.loads(pathlib.Path(__file__).with_name("proved_gaits.json").read_text(encoding="utf-8"))[
-        "gaits"
-    ]
-]
-FALLING = [gait for gait in FURTHER if "ground.stribeck_velocity" in gait["start_values"]]
-EVERYTHING = next(gait for gait in FURTHER if len(gait["start_values"]) > 4 and gait not in FALLING)
 RANDOM, PROVED_AT_LEAST = 40, 35
 DOCUMENTATION = pathlib.Path(__file__).parents[2] / "documentation"
 RANDOM_TABLE = DOCUMENTATION / "data/proved_random_gaits.jsonl"
+FREE_SWING = {"ground.friction": 0.6, "hip.swing_clamp": False}
+QUICK = [
+    next(gait for gait in GAITS if gait["start_values"] == FREE_SWING),
+    next(gait for gait in GAITS if "ground.stribeck_velocity" in gait["start_values"]),
+    max(GAITS, key=lambda gait: len(gait["start_values"])),
+]
+"""Free swing, friction that falls with speed, and a slope with retraction, static friction and thrust."""
 
 
-def check_further(gait):
-    """Against a gait that an independent program has computed to 1e-12."""
-    given = {name: np.radians(float(value.removesuffix(" deg"))) if isinstance(value, str) else value
-             for name, value in gait["start_values"].items()}  # fmt: skip
-    found = gait_near(tdmf_slip.Runner(given | CLAMPED), gait["apex"])
+@pytest.mark.parametrize("gait", GAITS if RELEASE else QUICK, ids=name_of)
+def test_a_gait_of_an_independent_program_is_proved_with_its_values(gait):
+    """The programs are good to 1e-12, without the clamp to 2e-11."""
+    found = gait_near(tdmf_slip.Runner(gait["start_values"]), gait["apex"])
     proof = tdmf_slip.prove(found, digits=6)
     assert proof.proved, proof.sentence
-    assert proof.word == gait["word"]
-    for ball, value in zip(proof.apex, gait["apex"], strict=True):
-        assert abs(float(ball) - value) < 1e-12
-    for name in ("period", "length", "hip_work", "leg_work", "speed", "cost_of_transport", "liftoff_angle"):
-        assert abs(float(proof.quantities[name]) - gait[name]) < 1e-12 * max(1.0, abs(gait[name])), name
-    assert proof.stable is found.stable
+    assert (proof.word, proof.stable) == (gait["word"], found.stable)
+    accuracy = 1e-12 if "rise" in gait else 2e-11
+    assert [float(ball) for ball in proof.apex] == pytest.approx(gait["apex"], abs=accuracy)
+    known = {name: gait[name] for name in proof.quantities if name in gait}
+    assert len(known) >= 6
+    proved = {name: float(proof.quantities[name]) for name in known}
+    assert proved == pytest.approx(known, rel=accuracy, abs=accuracy)
+    times = [float(time) for name, time in proof.events if name != "clamp"]
+    wanted = [time for name, time in gait["events"] if "clamp" not in name]
+    assert times == pytest.approx(wanted, abs=1e-10)
 
 
-def test_a_gait_with_slope_retraction_static_friction_and_thrust_is_proved():
-    check_further(EVERYTHING)
+BORDERS = [(True, {"friction": 1.1441404, "from": "+0+", "to": "+0-0+"})]
+BORDERS += [(False, border) for border in FREE["borders"][1:] + FREE["borders"][:1]]
 
 
-@release
-@pytest.mark.parametrize("gait", FURTHER, ids=lambda gait: str(gait["start_values"]))
-def test_every_gait_of_an_independent_program_is_proved(gait):
-    check_further(gait)
+@pytest.mark.parametrize(("clamp", "border"), some_of(BORDERS, 2))
+def test_borders_are_proved_but_where_the_slip_would_begin_as_the_drive_ends(clamp, border):
+    """Both events are at one instant there, and a proof does not say which is first, whatever the swing."""
+    proof = tdmf_slip.prove_border(border["friction"], {"hip.swing_clamp": clamp}, digits=11, sides=False)
+    if (border["from"], border["to"]) == ("+0+", "+0-0+"):
+        assert not proof.proved and "slip onset backwards or mid-stance" in proof.sentence
+    else:
+        assert proof.proved and abs(float(proof.value) - border["friction"]) < 1e-10, proof.sentence
+        assert proof.word_continued in (border["from"], border["to"])
 
 
 def random_runner(rng):
@@ -120,17 +124,24 @@ def test_gaits_of_random_runners_are_proved_with_the_words_that_the_library_find
 
 def unstable_gait():
     """An independent program found it: the runner retracts its leg, and the period doubles."""
-    gait = next(one for one in FURTHER if one["start_values"].get("hip.touchdown_angle") == "50 deg")
+    gaits = FURTHER["gaits"]
+    gait = next(one for one in gaits if one["start_values"].get("hip.touchdown_angle") == "50 deg")
     given = {"hip.touchdown_angle": "50 deg", "hip.retraction_rate": "0.02", "ground.friction": "0.6"}
     return gait_near(tdmf_slip.Runner(given | CLAMPED), gait["apex"])
 
 
-def test_a_whole_range_of_unstable_gaits_is_proved_to_be():
-    gait = unstable_gait()
-    proof = tdmf_slip.prove(gait, vary={"ground.friction": ("0.6", "0.6000004")})
+def test_a_range_of_unstable_gaits_and_one_of_falling_friction_are_proved():
+    proof = tdmf_slip.prove(unstable_gait(), vary={"ground.friction": ("0.6", "0.6000004")})
     assert proof.proved, proof.sentence
-    assert proof.stable is False
-    assert "all are unstable" in proof.sentence
+    assert proof.stable is False and "all are unstable" in proof.sentence
+    gait = QUICK[1]
+    runner = tdmf_slip.Runner(gait["start_values"])
+    speed = str(gait["start_values"]["ground.stribeck_velocity"])
+    span = {"ground.stribeck_velocity": (speed, f"{speed}0000004")}
+    proof = tdmf_slip.prove(gait_near(runner, gait["apex"]), vary=span)
+    assert proof.proved, proof.sentence
+    assert proof.words == (gait["word"],) and proof.stable
+    assert proof.subintervals[0].centre == pytest.approx(gait["apex"], abs=1e-5)
 
 
 @functools.cache
@@ -138,7 +149,7 @@ def attraction_of(friction):
     return tdmf_slip.prove_attraction({"ground.friction": friction})
 
 
-@pytest.mark.parametrize("friction", some_of(PUBLISHED, 1))
+@pytest.mark.parametrize("friction", some_of(["10", "1.2", "0.6", "0.43", "0.2"], 1))
 def test_starts_in_the_proved_ball_come_nearer_by_the_proved_rate(friction):
     """Two published gaits are tried, with --release all five."""
     attraction = attraction_of(friction)
@@ -160,7 +171,7 @@ def test_starts_in_the_proved_ball_come_nearer_by_the_proved_rate(friction):
 
 
 def test_a_ball_is_told_with_its_norm():
-    attraction = attraction_of(PUBLISHED[0])
+    attraction = attraction_of("10")
     printed = json.loads(json.dumps(attraction.as_json()))
     assert printed["proved"] is True
     basis = np.array([[complex(*entry) for entry in row] for row in printed["basis"]])

@@ -1,4 +1,4 @@
-"""Runs of the unit through FMPy: many strides, ledgers, changing inputs, falls, scales, edges of the model."""
+"""Runs of the unit through FMPy: many strides, ledgers, changing inputs, falls, scales, edges."""
 
 import math
 import random

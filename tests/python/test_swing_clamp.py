@@ -5,9 +5,8 @@ import pathlib
 
 import numpy as np
 import pytest
-import tdmf_slip
 import xarray
-from conftest import reference_gaits, some_of
+from conftest import reference_gaits
 from scipy_strides import Stride
 from tdmf_slip import Batch, InputError, Runner, find_gait, stride_map
 from tdmf_slip.record import runner_in
@@ -33,40 +32,6 @@ def test_a_stride_is_that_of_scipy_for_two_point_masses(friction, clamp):
 
 
 # ---- proofs ------------------------------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize("friction", some_of([0.6, 10.0, 1.2, 0.43, 0.2], 1))
-def test_gaits_without_the_clamp_are_proved(friction):
-    pytest.importorskip("flint")
-    reference = FREE[friction]
-    proof = tdmf_slip.prove({"ground.friction": str(friction), CLAMP: "false"}, digits=10)
-    assert proof.proved and proof.stable and proof.word == reference["word"]
-    assert f"{CLAMP} = false" in proof.sentence and "clamp" not in dict(proof.events)
-    for ball, value in zip(proof.apex, reference["apex"], strict=True):
-        assert abs(float(ball) - value) < 1e-11
-    for name in ("period", "length", "work", "speed", "cost_of_transport", "liftoff_angle", "stance_time"):
-        assert abs(float(proof.quantities[name]) - reference[name]) < 1e-11, name
-    times = [float(time) for _, time in proof.events]
-    assert times == pytest.approx([time for _, time in reference["events"]], abs=1e-11)
-
-
-@pytest.mark.parametrize(
-    ("clamp", "border"),
-    [
-        (True, {"friction": 1.1441404, "from": "+0+", "to": "+0-0+"}),
-        *((False, border) for border in some_of(REFERENCE["borders"][1:] + REFERENCE["borders"][:1], 1)),
-    ],
-    ids=lambda of: of["to"] if isinstance(of, dict) else str(of),
-)
-def test_borders_are_proved_but_where_the_slip_would_begin_as_the_drive_ends(clamp, border):
-    """Both events are at one instant there, and a proof does not say which is first, whatever the swing."""
-    pytest.importorskip("flint")
-    proof = tdmf_slip.prove_border(border["friction"], {CLAMP: clamp}, sides=False)
-    if (border["from"], border["to"]) == ("+0+", "+0-0+"):
-        assert not proof.proved and "slip onset backwards or mid-stance" in proof.sentence
-    else:
-        assert proof.proved and abs(float(proof.value) - border["friction"]) < 1e-10, proof.sentence
-        assert proof.word_continued in (border["from"], border["to"])
 
 
 # ---- where it is set ---------------------------------------------------------------------------------------

@@ -235,7 +235,7 @@ class Instance:
         self, experiment: Experiment, step_finished: Callable[[float, Recorder], bool]
     ) -> NDArray[np.void]:
         simulation = fmpy.simulation if experiment.inputs is None else own_simulation()
-        with self._accounted(Exception):  # FMPy raises bare Exceptions
+        with self._accounted():
             rows: NDArray[np.void] = simulation.simulate_fmu(
                 self._folder,
                 model_description=self.fmu.description,
@@ -253,37 +253,20 @@ class Instance:
             )
         return rows
 
-    def start(self, values: Mapping[str, float | int | bool], tolerance: float | None = None) -> None:
-        """Set start values and initialize, to go on by `advance` (Co-Simulation)."""
-        with self._accounted():
-            self._set(values)
-            self._fmu.setupExperiment(tolerance=tolerance)
-            self._fmu.enterInitializationMode()
-            self._fmu.exitInitializationMode()
-
     def set(self, values: Mapping[str, float | int | bool]) -> None:
         """Set inputs or tunable parameters between two steps."""
-        with self._accounted():
-            self._set(values)
-
-    def _set(self, values: Mapping[str, float | int | bool]) -> None:
         setters = {"Real": self._fmu.setReal, "Boolean": self._fmu.setBoolean}
         for name, value in values.items():
             variable = self.fmu.variables[name]
             setters.get(variable.type, self._fmu.setInteger)([variable.reference], [value])
 
-    def advance(self, time: float, duration: float) -> None:
-        """One communication step from `time` on; both in s."""
-        with self._accounted():
-            self._fmu.doStep(currentCommunicationPoint=time, communicationStepSize=duration)
-
     @contextlib.contextmanager
-    def _accounted(self, kind: type[Exception] = FMICallException) -> Iterator[None]:
-        """Hear the unit's messages during a call, and raise a failed call with them."""
+    def _accounted(self) -> Iterator[None]:
+        """Hear the unit's messages during a run, and raise a failed run with them."""
         HEARD.messages = self.messages
         try:
             yield
-        except kind as problem:
+        except Exception as problem:  # FMPy raises bare Exceptions
             raise self._account_of(problem) from problem
 
     def _account_of(self, problem: Exception) -> TdmfSlipError:

@@ -1,9 +1,7 @@
 """One run of the unit through FMPy.
 
-Runs of the unit over a profile.
-
-The unit knows one line of ground. A co-simulation gives it, at each communication point, the line of the
-profile that is below the foot; the unit puts a new line in force as soon as the foot is in flight and not
+The unit knows one line of ground. A run over a profile gives it, at each communication point, the line of the
+profile that is below the foot. The unit puts a new line in force as soon as the foot is in flight and not
 below it. So a foot that stands keeps its ground, and one that hangs below a step passes it on its way up.
 """
 
@@ -11,6 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping
+from dataclasses import replace
 from itertools import islice
 
 import numpy as np
@@ -27,7 +26,7 @@ from ..variables.table import Model, model_of
 from ..variables.variable import Value
 from .fmu import Fmu, load_fmu
 from .inputs import InputTables, signals
-from .instance import TYPES, Experiment, Instance, Recorder, opened
+from .instance import Experiment, Instance, Recorder, opened
 from .profile import Profile
 from .run import MODE, PHASE, Run, dataset_of, events_of
 
@@ -48,31 +47,6 @@ def interface_over(profile: object, interface: str | None, inputs: InputTables |
         raise InputError("profile and inputs: allowed: one of them")
     fmu.variables[SLOPE].value_of(profile.steepest, "profile, its steepest line")
     return "cs"
-
-
-def run_over(
-    instance: Instance, profile: Profile, experiment: Experiment, strides: int | None, progress: bool
-) -> NDArray[np.void]:
-    """A row at the start and after each output interval, up to a fall, the strides or the stop time."""
-    fmu, step = instance.fmu, experiment.output_interval
-    names = experiment.variables
-    position = float(experiment.start_values.get("foot.x", fmu.variables.start_of("foot.x")))
-    instance.start({**experiment.start_values, **_line_below(profile, position)}, experiment.tolerance)
-    rows = [(0.0, *instance.read(names).values())]
-    total, unit = (experiment.stop_time, "s") if strides is None else (strides, "strides")
-    with progress_bar("simulate", total, unit, progress) as bar:
-        while not instance.value("status.fallen"):
-            time, closed = float(rows[-1][0]), instance.value("stride.count")
-            bar.update((time if strides is None else closed) - bar.n)
-            if time >= experiment.stop_time or (strides is not None and closed >= strides):
-                break
-            if len(rows) > experiment.max_rows:
-                raise experiment.too_many_rows(time)
-            instance.set(_line_below(profile, instance.value("foot.x")))
-            instance.advance(time, step)
-            rows.append((len(rows) * step, *instance.read(names).values()))
-    kinds = [("time", float), *((name, TYPES.get(fmu.variables[name].type, int)) for name in names)]
-    return np.array(rows, dtype=kinds)
 
 
 def _line_below(profile: Profile, position: float) -> dict[str, float]:
@@ -219,10 +193,7 @@ def simulate(
     least = math.inf if strides is None else strides * time_unit(fmu, starts)
     _check_rows(experiment, least if stop_time is None else min(least, stop_time))
     with opened(fmu, interface) as instance:
-        if profile is None:
-            table = _run(instance, experiment, stop_time, strides, progress)
-        else:
-            table = run_over(instance, profile, experiment, strides, progress)
+        table = _run(instance, experiment, profile, stop_time, strides, progress)
         run = _result(instance, experiment, table, recorded, not record_events, own.name)
     if strides is not None and stop_time is None and not run.fallen and run.strides < strides:
         raise RunError(
@@ -300,9 +271,18 @@ def _check_rows(experiment: Experiment, duration: float) -> None:
 
 
 def _run(
-    instance: Instance, experiment: Experiment, stop_time: float | None, strides: int | None, show: bool
+    instance: Instance,
+    experiment: Experiment,
+    profile: Profile | None,
+    stop_time: float | None,
+    strides: int | None,
+    show: bool,
 ) -> NDArray[np.void]:
     total, unit = (strides, "strides") if stop_time is None else (stop_time, "s")
+    if profile is not None:
+        position = instance.fmu.variables.start_of("foot.x", experiment.start_values)
+        line = _line_below(profile, float(position))
+        experiment = replace(experiment, start_values={**experiment.start_values, **line})
     with progress_bar("simulate", total, unit, show) as bar:
 
         def step_finished(time: float, recorder: Recorder) -> bool:
@@ -310,6 +290,10 @@ def _run(
             bar.update((closed if stop_time is None else time) - bar.n)
             if len(recorder.rows) > experiment.max_rows:
                 raise experiment.too_many_rows(time)
+            if profile is not None:
+                instance.set(_line_below(profile, instance.value("foot.x")))
+                if instance.value(FALLEN):
+                    return False
             if strides is None or closed < strides:
                 return True
             recorder.sample(time)  # FMPy would stop before the row after the apex
