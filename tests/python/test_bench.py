@@ -5,7 +5,7 @@ import json
 import numpy as np
 import pytest
 from conftest import RELEASE, ROOT
-from tdmf_slip import Batch, RunError
+from tdmf_slip import RunError
 from tdmf_slip.library import engine
 
 from benchmarks import growth, one_runner, results, runners, running
@@ -67,11 +67,7 @@ def test_ratios_are_to_our_own(measured):
     assert printed["measurements"][0]["ratio"] > 0 and printed["runner"]["ground.friction"] == 0.6
     clamp = str(printed["runner"]["hip.swing_clamp"]).lower()
     assert text.endswith(f"hip.swing_clamp: {clamp}")
-
-
-def test_a_peer_that_is_missing_is_named(without_peers):
-    assert without_peers.missing == PEERS
-    assert "numba is not installed" in without_peers.as_text()
+    assert RELEASE or (measured.missing == PEERS and "numba is not installed" in text)
 
 
 def test_solvers_are_judged_by_the_gait_and_what_is_around_it():
@@ -115,23 +111,6 @@ def test_a_tolerance_that_is_found_is_good_from_everywhere(fmu):
     for found in one_runner.measure_fmu(fmu, many, "native", 0.01):
         assert found.error == one_runner.stride_error(fmu, many, "native", found.tolerance) <= found.accuracy
         assert many.error(many.ends("one by one", found.tolerance)["apex"]) <= found.accuracy
-
-
-@pytest.mark.parametrize("solver", ["native", "cvode"])
-def test_a_tighter_tolerance_errs_less(fmu, solver):
-    many = runners.runners_about_the_gait()
-    assert one_runner.stride_error(fmu, many, solver, 1e-10) < one_runner.stride_error(
-        fmu, many, solver, 1e-5
-    )
-
-
-@pytest.mark.parametrize("swing_clamp", [False, True])
-def test_the_ensemble_makes_the_gaits_word(swing_clamp):
-    """Peers are told the sequence of modes; it has to be that of every start."""
-    many = runners.runners_about_the_gait(swing_clamp=swing_clamp)
-    assert many.swing_clamp is swing_clamp
-    ends = Batch(many.runner, many.starts).run(1)
-    assert len(np.unique(ends["word_code"])) == 1 and (ends["strides"] == 1).all()
 
 
 def test_bench_command(command, measured, monkeypatch):

@@ -99,10 +99,6 @@ def opened(driver, address, page):
     return driver
 
 
-def test_there_are_pages_of_each_kind(site):
-    assert [page for page in KINDS.values() if not (site / page.split("?")[0]).is_file()] == []
-
-
 @pytest.mark.parametrize(("address", "kind"), where(KINDS), indirect=["address"])
 def test_a_page_within_its_policy_has_its_styles_its_pictures_and_the_theme_s_script(driver, address, kind):
     from browser import wait

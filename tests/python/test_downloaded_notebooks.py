@@ -99,13 +99,3 @@ def test_validation_on_the_paper_page_meets_all_that_is_recorded(site):
     gaits = table.splitlines()[2:7]
     assert all(row.split()[-2:] == ["same", "words"] for row in gaits)
     assert "all 135 recorded values are met" in table
-
-
-def test_solutions_are_folded_in_the_notebook_too(notebooks):
-    tagged = [
-        cell["metadata"]
-        for cell in cells(notebooks["exercises"], "code")
-        if "hide-cell" in cell["metadata"].get("tags", [])
-    ]
-    assert len(tagged) == 3
-    assert all(each["jupyter"] == {"source_hidden": True, "outputs_hidden": True} for each in tagged)

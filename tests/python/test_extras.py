@@ -31,22 +31,17 @@ def run_without(extras, program, *arguments):
 COMMAND = "from tdmf_slip.__main__ import main; sys.exit(main())"
 
 
-@pytest.mark.parametrize(
-    ("extra", "arguments"),
-    [
-        ("plots", ["gait.png"]),
-        ("cluster", ["basin"]),
-        ("proof", ["prove"]),
-    ],
-    ids=str,
-)
-def test_a_command_names_what_is_missing_before_it_computes(extra, arguments, tmp_path):
-    commands = {
-        "gait.png": ["sweep", "--friction", "0.5:0.6:3", "--plot", "gait.png"],
-        "basin": ["basin", "--n", "2", "--scheduler", "tcp://127.0.0.1:1"],
-        "prove": ["prove", "--friction", "0.6"],
-    }
-    done = run_without([extra], f"import os; os.chdir({str(tmp_path)!r}); {COMMAND}", *commands[arguments[0]])
+NEEDING = {
+    "plots": ("sweep", "--friction", "0.5:0.6:3", "--plot", "gait.png"),
+    "cluster": ("basin", "--n", "2", "--scheduler", "tcp://127.0.0.1:1"),
+    "proof": ("prove", "--friction", "0.6"),
+}
+"""Commands that need an extra."""
+
+
+@pytest.mark.parametrize("extra", NEEDING)
+def test_a_command_names_what_is_missing_before_it_computes(extra, tmp_path):
+    done = run_without([extra], f"import os; os.chdir({str(tmp_path)!r}); {COMMAND}", *NEEDING[extra])
     assert done.returncode == 2 and done.stdout == "", done.stderr
     (said,) = done.stderr.splitlines()
     assert f"(the extra {extra})" in said and "missing" in said and ": pip install " in said
@@ -63,11 +58,7 @@ except tdmf_slip.InputError as problem:
 
 
 @pytest.mark.parametrize(
-    ("extra", "call"),
-    [
-        ("plots", "tdmf_slip.find_gait().plot()"),
-        ("proof", "tdmf_slip.prove"),
-    ],
+    ("extra", "call"), [("plots", "tdmf_slip.find_gait().plot()"), ("proof", "tdmf_slip.prove")]
 )
 def test_a_function_names_what_is_missing(extra, call):
     done = run_without([extra], RESULTS.format(call))
