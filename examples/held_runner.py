@@ -62,7 +62,9 @@ class Held:
     @property
     def position(self):
         """Position of the centre of mass, m."""
-        return c.tdmf_center_of_mass(self.model, self.motion.state).x
+        outputs = ffi.new("tdmf_outputs *")
+        c.tdmf_outputs_of(self.system, self.motion, outputs)
+        return outputs.com.x
 
     def advance(self, until):
         """Run up to a time; True if a stride closed."""
