@@ -141,14 +141,11 @@ tdmf_refusal tdmf_start(tdmf_system system, tdmf_motion *motion) {
     return refusal;
 }
 
-tdmf_start_variation tdmf_vary_start(tdmf_system system, const double given[TDMF_STATE_COUNT],
-                                     const double started[TDMF_STATE_COUNT], const tdmf_mode *mode,
-                                     const tdmf_seed *seed, const double state_seed[TDMF_STATE_COUNT]) {
+void tdmf_vary_start(tdmf_system system, const double given[TDMF_STATE_COUNT], const tdmf_seed *seed,
+                     const double state_seed[TDMF_STATE_COUNT], tdmf_variation *variation) {
     static const tdmf_seed unchanged = {.inputs = {.ground = {.friction = 0.0}}};
     double memory[TDMF_SETTLING_MEMORY], varied[TDMF_STATE_COUNT] = {0.0}, shift = 0.0;
-    double d_outputs[OUTPUT_COUNT];
     tdmf_motion motion = {.time = 0.0};
-    (void)started, (void)mode; /* the page finds them again */
     memcpy(motion.state, given, sizeof motion.state);
     memcpy(varied, state_seed, TDMF_MECHANICAL_COUNT * sizeof *varied);
     tdmf_page_point point = point_at_start(system, &motion);
@@ -165,13 +162,5 @@ tdmf_start_variation tdmf_vary_start(tdmf_system system, const double given[TDMF
     run.shift = &shift;
     tdmf_page_run_to(&tdmf_runner_model, &run, 0.0);
     point.mode = run.mode;
-    tdmf_start_variation result = {.variation = tdmf_variation_of_page(&point, &d, false),
-                                   .impact_loss = d.x.impact_loss};
-    tdmf_runner_model.modes[run.mode].vary_outputs(run.p, run.x, run.dp, run.dx, d_outputs);
-    const tdmf_ground_line ground = tdmf_ground_line_set(system.inputs);
-    const double x = tdmf_center_of_mass(system.model, started).x;
-    result.com_height = d_outputs[OUTPUT_center_y] - d.p.ground_height -
-                        d_outputs[OUTPUT_center_x] * (ground.sine / ground.cosine) -
-                        x * d.p.ground_slope / (ground.cosine * ground.cosine);
-    return result;
+    *variation = tdmf_variation_of_page(&point, &d, false);
 }

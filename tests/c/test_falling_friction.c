@@ -91,13 +91,11 @@ static double coefficient(const reference_impact *law, double speed) {
 static double variation_of_speed(const reference_impact *law, double speed, double d_speed, double d_normal,
                                  double d_friction) {
     const runner given = falling_foot(law, speed);
-    runner begun = given;
     const double d_state[TDMF_STATE_COUNT] = {[TDMF_FOOT_VX] = d_speed, [TDMF_FOOT_VY] = d_normal};
     const tdmf_seed seed = {.inputs.ground.friction = d_friction};
-    runner_start(&begun);
-    return tdmf_vary_start(SYSTEM_OF(&given), given.motion.state, begun.motion.state, &begun.motion.mode,
-                           &seed, d_state)
-        .variation.state[TDMF_FOOT_VX];
+    tdmf_variation variation;
+    tdmf_vary_start(SYSTEM_OF(&given), given.motion.state, &seed, d_state, &variation);
+    return variation.state[TDMF_FOOT_VX];
 }
 
 TEST(the_impacts_tangent_is_a_ratio_of_frictions) {

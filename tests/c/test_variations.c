@@ -96,15 +96,6 @@ static void assert_row_varies(const line *line, row (*of)(const runner *at), con
 
 /* ---- impact -------------------------------------------------------------------------------------------- */
 
-static row after_impact(const double *state, double loss) {
-    row row = {0};
-    for (int i = 0; i < TDMF_MECHANICAL_COUNT; ++i) {
-        append(&row, state[i]);
-    }
-    append(&row, loss);
-    return row;
-}
-
 /* Far enough from the edge of the cone and from feet that do not move. */
 static bool is_smooth_impact(const runner *at) {
     const double vx = fabs(at->motion.state[TDMF_FOOT_VX]), vy = fabs(at->motion.state[TDMF_FOOT_VY]);
@@ -115,8 +106,11 @@ static bool is_smooth_impact(const runner *at) {
 
 /* ---- start --------------------------------------------------------------------------------------------- */
 
-static row started(const double *state, double liftoff_angle, double loss) {
-    row row = after_impact(state, loss);
+static row started(const double *state, double liftoff_angle) {
+    row row = {0};
+    for (int i = 0; i < TDMF_MECHANICAL_COUNT; ++i) {
+        append(&row, state[i]);
+    }
     append(&row, liftoff_angle);
     append(&row, state[TDMF_LEG_WORK]);
     return row;
@@ -125,7 +119,7 @@ static row started(const double *state, double liftoff_angle, double loss) {
 static row start_of(const runner *at) {
     runner begun = *at;
     runner_start(&begun);
-    return started(begun.motion.state, begun.motion.mode.liftoff_angle, begun.motion.record.impact_loss);
+    return started(begun.motion.state, begun.motion.mode.liftoff_angle);
 }
 
 /* Along what leaves a foot that is at the ground or put on it there, and a thrust of 0 as it is. */
@@ -145,12 +139,9 @@ static line line_of_starts(random_source *source, const runner *given) {
 
 static void assert_start_varies(const line *line) {
     const runner *given = line->runner;
-    runner begun = *given;
-    runner_start(&begun);
-    const tdmf_start_variation varied =
-        tdmf_vary_start(SYSTEM_OF(given), given->motion.state, begun.motion.state, &begun.motion.mode,
-                        &line->seed, line->variation.state);
-    const row exact = started(varied.variation.state, varied.variation.liftoff_angle, varied.impact_loss);
+    tdmf_variation varied;
+    tdmf_vary_start(SYSTEM_OF(given), given->motion.state, &line->seed, line->variation.state, &varied);
+    const row exact = started(varied.state, varied.liftoff_angle);
     assert_row_varies(line, start_of, &exact);
 }
 

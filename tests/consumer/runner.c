@@ -9,7 +9,7 @@ int main(void) {
     tdmf_model model;
     const tdmf_system system = {&model, &inputs};
     tdmf_refusal refusal = tdmf_model_create(&model, &parameters);
-    double step = 1e-4, rate[TDMF_STATE_COUNT];
+    double step = 1e-4, rate[TDMF_STATE_COUNT], guards[TDMF_GUARD_COUNT];
     tdmf_motion motion = {.time = 0.0};
     char text[256];
 
@@ -20,6 +20,7 @@ int main(void) {
         fprintf(stderr, "%s\n", tdmf_refusal_text(&refusal, text, sizeof text));
         return 1;
     }
+    tdmf_guards(system, &motion.mode, motion.state, guards); /* pure numbers, positive until their events */
     while (motion.mode.contact == TDMF_CONTACT_FLIGHT && motion.time < 100.0) {
         tdmf_derivatives(system, &motion.mode, motion.state, rate);
         for (int i = 0; i < TDMF_STATE_COUNT; ++i)
@@ -27,6 +28,8 @@ int main(void) {
         motion.time += step;
         tdmf_resolve(system, &motion);
     }
-    printf("tdmf_slip %s: touchdown at t = %.3f\n", tdmf_version(), motion.time);
+    printf("tdmf_slip %s: touchdown at t = %.3f, its guard was %.3f\n", tdmf_version(), motion.time,
+           guards[TDMF_GUARD_TOUCHDOWN]);
+    printf("the library was compiled by %s\n", tdmf_compiler());
     return 0;
 }

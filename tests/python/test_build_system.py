@@ -132,12 +132,16 @@ def test_files_are_compiled_alone_though_a_unity_build_is_asked_for(configured):
 
 
 @pytest.mark.parametrize(
-    ("compiler", "standard"), list(itertools.product(["g++", "clang++"], ["c++11", "c++20", "c++2b"]))
+    ("compiler", "standard"),
+    [
+        *itertools.product(["g++", "clang++"], ["c++98", "c++11", "c++20", "c++2b"]),
+        *itertools.product(["gcc", "clang"], ["c99", "c17", "c2x"]),
+    ],
 )
-def test_headers_are_valid_in_every_cpp(tmp_path, compiler, standard):
+def test_headers_are_valid_in_every_standard(tmp_path, compiler, standard):
     if shutil.which(compiler) is None:
         pytest.skip(f"{compiler} is not installed")
-    program = tmp_path / "headers.cpp"
+    program = tmp_path / ("headers.cpp" if "++" in standard else "headers.c")
     names = sorted(str(path.relative_to(HEADERS)) for path in HEADERS.rglob("*.h"))
     program.write_text("".join(f'#include "{name}"\n' for name in names))
     succeed(

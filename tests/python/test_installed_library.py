@@ -2,6 +2,7 @@
 
 import os
 import pathlib
+import re
 import shutil
 
 import pytest
@@ -17,6 +18,11 @@ SAYS = {
     "runner": "tdmf_slip 0.1.0: touchdown at t = 12.02",
     "rough_ground": "stride,x,ground,word,speed",
     "population": "200 of 200 runners are back on the gait",
+    "trajectory": "t = 5, x = 5.3100, y = 1.2935, normal force 0.0000",
+    "derivatives": "d com.y / d leg.damping = 0.11934, by differences 0.11934",
+    "gait": "20 strides closed on the way to the gait\n+0-0+ at 1.060856 m/s, largest eigenvalue 0.8556",
+    "page": "touchdown_angle from -1.5708 to 1.5708 rad\na gait at height 0.943587",
+    "law": "runner 10 begins with touchdown angle 0.6991 rad",
 }
 """What each program prints."""
 
@@ -26,6 +32,16 @@ def test_find_package(installed_library, tmp_path):
     succeed("cmake", "--build", tmp_path)
     for program, says in SAYS.items():
         assert succeed(tmp_path / program).startswith(says)
+
+
+def test_every_function_stands_in_a_program(root=CONSUMER.parents[1]):
+    """All but those that only a library of a page of one's own has."""
+    headers, programs = root / "c_core" / "include", [*CONSUMER.glob("*.c"), *root.glob("examples/*.c")]
+    text = "".join(header.read_text() for header in headers.rglob("*.h") if header.name != "own_page.h")
+    functions = set(re.findall(r"^TDMF_API [^(]*?(\w+)\(", text, re.MULTILINE))
+    called = "".join(program.read_text() for program in programs)
+    assert 40 < len(functions) <= 60
+    assert not [name for name in sorted(functions) if not re.search(rf"\b{name}\(", called)]
 
 
 @pytest.mark.skipif(shutil.which("pkg-config") is None, reason="pkg-config is not installed")

@@ -35,20 +35,10 @@ typedef struct {
     tdmf_stance_variation stance;   /* of the stride under way */
 } tdmf_variation;
 
-/* What a start makes of a change of the values that it was given. */
-typedef struct {
-    tdmf_variation variation; /* of state and theta_LO */
-    double impact_loss;       /* of record.impact_loss */
-    double com_height;        /* of the centre of mass above the ground, as in the section of an apex */
-} tdmf_start_variation;
-
-/* `given` is the state that tdmf_start was called with, `started` the one that it made of it: another where
- * the foot moved down at the ground, and with work of the leg where that thrusts at once. `mode` is the one
- * that it found, and is held. `seed` may be NULL: parameters and inputs do not change. */
-TDMF_API tdmf_start_variation tdmf_vary_start(tdmf_system system, const double given[TDMF_STATE_COUNT],
-                                              const double started[TDMF_STATE_COUNT], const tdmf_mode *mode,
-                                              const tdmf_seed *seed,
-                                              const double state_seed[TDMF_STATE_COUNT]);
+/* Writes how the motion that tdmf_start makes of a state changes with it. `given` is the state before the start,
+ * `state_seed` its change, `seed` that of parameters and inputs. `seed` may be NULL: they do not change. */
+TDMF_API void tdmf_vary_start(tdmf_system system, const double given[TDMF_STATE_COUNT], const tdmf_seed *seed,
+                              const double state_seed[TDMF_STATE_COUNT], tdmf_variation *variation);
 
 #ifdef __cplusplus
 }

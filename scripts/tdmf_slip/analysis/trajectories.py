@@ -195,9 +195,7 @@ def _run(
         if name not in COORDINATES:
             seeds[number] = seed_of(name)[0]
         by = _start_by(runner, section, name)
-        mode = ffi.addressof(motion, "mode")
-        start = c.tdmf_vary_start(system, given, motion.state, mode, seeds + number, by)
-        variations[number] = start.variation
+        c.tdmf_vary_start(system, given, seeds + number, by, variations + number)
     kinds = (MOTION, len(times)), (OUTPUTS, len(times)), (VARIATION, (len(times), count))
     arrays = [np.zeros(shape, kind) for kind, shape in (*kinds, (OUTPUTS, (len(times), count)))]
     motions, outputs, varied, of_outputs = (
