@@ -107,9 +107,8 @@ def test_brute_force_finds_the_same_pairs(friction, vary):
 
 def next_apices(runner, points, settings):
     """Fates of single strides from points with settings of their own, 0 where one closed, and next apices."""
-    run = tdmf_slip.Batch(runner, points, inputs={name: row[:, None] for name, row in settings.items()}).run(
-        1
-    )
+    inputs = {name: row[:, None] for name, row in settings.items()}
+    run = tdmf_slip.Batch(runner, points, inputs=inputs).run(1)
     closed = run.strides == 1
     return np.where(closed, 0, run.fate), np.where(closed[:, None], run.apex, np.nan)
 
@@ -225,9 +224,8 @@ def test_states_that_lead_to_a_gait():
     points, _ = random_points(grid_in(found), np.argwhere(inner == 2), 100, 5)
     actions = grid_in(found).all_actions()
     settings = {name: np.tile(values, len(points)) for name, values in actions.items()}
-    apices = next_apices(runner_of(found), np.repeat(points, grid_in(found).action_count, axis=0), settings)[
-        1
-    ]
+    starts = np.repeat(points, grid_in(found).action_count, axis=0)
+    _, apices = next_apices(runner_of(found), starts, settings)
     cells = grid_in(found).cell_of(apices)
     strides = np.where(cells >= 0, inner.ravel()[cells], -1).reshape(len(points), -1)
     assert ((strides >= 0) & (strides <= 1)).any(axis=1).all()
@@ -276,34 +274,23 @@ def test_the_dataset_has_shares_and_pairs(found):
 
 
 def test_a_file_is_gone_on_with(found, tmp_path, monkeypatch):
-    path = tmp_path / "viable.nc"
+    path, make, made = tmp_path / "viable.nc", grid.strides_of, []
     monkeypatch.setattr(grid, "STRIDES_IN_A_BLOCK", 3000)
-    make = grid.strides_of
-    made = []
 
-    def dies(runner, cells, point, rows):
-        if len(made) == 2:
+    def counts(runner, cells, point, rows):
+        if len(made) == 2 and not path.exists() and not resuming:
             raise KeyboardInterrupt
         made.append(tuple(rows))
         return make(runner, cells, point, rows)
 
-    monkeypatch.setattr(grid, "strides_of", dies)
-    one_by_one = ThreadPoolExecutor(1)  # a block that still runs at the interrupt is not in the file
+    monkeypatch.setattr(grid, "strides_of", counts)
+    one_by_one, resuming = ThreadPoolExecutor(1), False  # a block under way at the interrupt is not on file
     with one_by_one, pytest.raises(KeyboardInterrupt):
         tdmf_slip.viability(STICKING, axes=AXES, vary=VARY, n=24, path=path, executor=one_by_one)
-    again = []
-
-    def counts(runner, cells, point, rows):
-        again.append(tuple(rows))
-        return make(runner, cells, point, rows)
-
-    monkeypatch.setattr(grid, "strides_of", counts)
-    assert_same(tdmf_slip.viability(STICKING, axes=AXES, vary=VARY, n=24, path=path), found)
-    assert set(sum(made, ())).isdisjoint(sum(again, ()))
-    assert sorted(sum(made + again, ())) == list(range(25))
-    again.clear()
-    assert_same(tdmf_slip.viability(STICKING, axes=AXES, vary=VARY, n=24, path=path), found)
-    assert not again
+    resuming = True
+    for _ in range(2):
+        assert_same(tdmf_slip.viability(STICKING, axes=AXES, vary=VARY, n=24, path=path), found)
+    assert len(made) > 2 and sorted(sum(made, ())) == list(range(25))
     with pytest.raises(InputError, match=r"not this viable set: another ground\.friction"):
         tdmf_slip.viability({"ground.friction": 9.0}, axes=AXES, vary=VARY, n=24, path=path)
 
@@ -317,7 +304,6 @@ GOOD = {"axes": AXES, "vary": VARY, "n": 4}
         ({"axes": {"com_height": (1, 2)}}, "axes: without com_speed"),
         ({"axes": {"com_height": (1, 2), "leg_angle": (0, 1)}}, "axes: 'leg_angle' is not allowed"),
         ({"axes": {"com_height": (2, 1), "com_speed": (0, 1)}}, "axes: com_height = .2, 1. is not allowed"),
-        ({"axes": {"com_height": (1, math.inf), "com_speed": (0, 1)}}, "axes: com_height"),
         ({"axes": {"com_height": "12", "com_speed": (0, 1)}}, "axes: com_height"),
         ({"axes": 3}, "axes = 3 is not allowed"),
         ({"vary": {}}, "vary: nothing"),
@@ -326,14 +312,11 @@ GOOD = {"axes": AXES, "vary": VARY, "n": 4}
         ({"vary": {"hip.kp": (0, 1)}}, "hip.kp has no effect in the reduced map"),
         ({"vary": {ANGLE: (0, 1, 0)}}, "vary: hip.touchdown_angle: values = 0"),
         ({"vary": {ANGLE: (0, 9)}}, "hip.touchdown_angle = "),
-        ({"vary": {ANGLE: (0, math.nan)}}, "vary: hip.touchdown_angle"),
         ({"vary": {ANGLE: (0, 0.5, 3, 4)}}, "vary: hip.touchdown_angle"),
         ({"vary": {"ground.friction": (-1, 1)}}, "ground.friction = -1 is not allowed"),
-        ({"n": 1}, "n = 1 is not allowed"),
         ({"n": (4, 4, 4)}, "n = "),
         ({"n": 2.5}, "n = 2.5 is not allowed"),
         ({"n": 2048, "vary": {ANGLE: (0, 1, 100)}}, "419,840,100 strides"),
-        ({"factor": 0.5}, "factor = 0.5 is not allowed"),
         ({"factor": math.nan}, "factor = nan is not allowed"),
         ({"model": "half"}, "model 'half' is not allowed"),
         ({"executor": 2}, "executor = 2 is not allowed"),
@@ -344,7 +327,6 @@ GOOD = {"axes": AXES, "vary": VARY, "n": 4}
         ),
         ({"wish": {"hip.kp": 1.0}}, "wish: 'hip.kp' is not allowed; allowed: hip.touchdown_angle"),
         ({"wish": {ANGLE: "much"}}, "wish: hip.touchdown_angle = much is not allowed"),
-        ({"wish": {ANGLE: math.nan}}, "hip.touchdown_angle = nan is not allowed"),
     ],
 )
 def test_what_is_not_allowed_is_refused(found, bad, message):
