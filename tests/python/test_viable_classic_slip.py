@@ -92,8 +92,7 @@ def test_the_same_pairs_and_states_are_viable_and_as_robust(grid):
 def test_the_same_pairs_are_viable_if_those_below_the_grid_are_not_left_out(grid):
     theirs, ours = grid
     pairs, kept = ours.kept(from_not_failed=True)
-    there = f"{'viable_pairs'}_from_not_failed" in theirs
-    ending = "_from_not_failed" if there else ""
+    ending = "_from_not_failed" if "viable_pairs_from_not_failed" in theirs else ""
     assert np.array_equal(pairs, rows_of(theirs[f"viable_pairs{ending}"]))
     assert np.array_equal(kept.states[:, 0], row_of(theirs[f"viable_states{ending}"]))
     assert pairs.sum(axis=1).tolist() == theirs[f"robustness_count{ending}"]
