@@ -4,27 +4,12 @@ import pathlib
 import re
 import struct
 import sys
-import zipfile
 
 import pytest
 import tdmf_slip
+from binaries import libraries_in, lief
 from conftest import ROOT
 from tdmf_slip.library.binding import library_path
-
-lief = pytest.importorskip("lief", reason="NOT TESTED: hardening, lief is not installed")
-
-SUFFIXES = (".so", ".dll", ".dylib")
-
-
-def binaries(archive):
-    """Every library in a wheel or unit, also in the units of a wheel, by its path."""
-    with zipfile.ZipFile(archive) as opened:
-        for name in opened.namelist():
-            if name.endswith(".fmu"):
-                with opened.open(name) as unit:
-                    yield from binaries(unit)
-            elif name.endswith(SUFFIXES):
-                yield name, opened.read(name)
 
 
 def given_out():
@@ -109,7 +94,7 @@ def assert_is_hardened(name, data):
 def test_what_is_built_here_is_hardened():
     assert_is_hardened("library", pathlib.Path(library_path()).read_bytes())
     folder = pathlib.Path(tdmf_slip.fmu_path()).parent
-    found = [pair for unit in folder.glob("*.fmu") for pair in binaries(unit) if pair[0].endswith(".so")]
+    found = [pair for unit in folder.glob("*.fmu") for pair in libraries_in(unit) if pair[0].endswith(".so")]
     assert len(found) >= 2
     for name, data in found:
         assert_is_hardened(name, data)
@@ -119,7 +104,7 @@ def test_what_is_built_here_is_hardened():
     not given_out(), reason="NOT TESTED: hardening of what is given out; ./scripts/release makes it"
 )
 def test_what_is_given_out_is_hardened():
-    found = [pair for archive in given_out() for pair in binaries(archive)]
+    found = [pair for archive in given_out() for pair in libraries_in(archive)]
     assert len(found) >= 3 + 2 * 6
     for name, data in found:
         assert_is_hardened(name, data)

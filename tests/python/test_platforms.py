@@ -6,19 +6,16 @@ Linux sees; the files for macOS and Arm Windows are read.
 
 import json
 import pathlib
-import re
 import subprocess
 import zipfile
 
 import fmpy
 import pytest
 import tdmf_slip
+from binaries import Library, arm_linux, functions_of_fmi, libraries_in, windows
 from conftest import HANGS, QUANTITIES, ROOT, unit_reference
-from emulators import arm_linux, windows
 from fmpy.validation import validate_fmu
 from tdmf_slip.builds import TABLE, host
-
-lief = pytest.importorskip("lief", reason="NOT TESTED: units for every platform, lief is not installed")
 
 PLATFORMS = ROOT / "build/platforms"
 UNITS = {2: PLATFORMS / "TDMF_SLIP.fmu", 3: PLATFORMS / "TDMF_SLIP_FMI3.fmu"}
@@ -30,7 +27,6 @@ BINARIES = {
         for system, ending in (("linux", "so"), ("windows", "dll"), ("darwin", "dylib"))
     ],
 }
-ALL = [(fmi, name) for fmi in BINARIES for name in BINARIES[fmi]]
 HEADERS = pathlib.Path(fmpy.__file__).parent / "c-code"
 REFERENCE = unit_reference()
 COMPARED = [*(f"stride.{name}" for name in QUANTITIES), "apex.leg_angle", "foot.x", "energy.total"]
@@ -52,12 +48,6 @@ def libraries(tmp_path_factory):
     return folders
 
 
-def functions(fmi):
-    """All that the standard has, from its header."""
-    header = (HEADERS / f"fmi{fmi}Functions.h").read_text(encoding="utf-8")
-    return set(re.findall(rf"FMI{fmi}_Export +\w+TYPE +(fmi{fmi}\w+);", header))
-
-
 def library(libraries, fmi, name):
     return libraries[fmi] / "binaries" / name
 
@@ -71,62 +61,20 @@ def test_every_platform_is_there_and_nothing_else(fmi):
     assert validate_fmu(str(UNITS[fmi])) == []
 
 
-@pytest.mark.parametrize(("fmi", "name"), [case for case in ALL if case[1].endswith(".so")])
-def test_linux_needs_libc_and_libm_of_2012(libraries, fmi, name):
-    elf = lief.ELF.parse(str(library(libraries, fmi, name)))
-    processor = {
-        "x86_64": lief.ELF.ARCH.X86_64,
-        "linux64": lief.ELF.ARCH.X86_64,
-        "aarch64": lief.ELF.ARCH.AARCH64,
-    }
-    assert elf.header.machine_type == processor[name.split("-")[0].split("/")[0]]
-    # On Arm the stack protector's guard is in the loader, which is the C library's own.
-    assert set(elf.libraries) <= {"libc.so.6", "libm.so.6", "ld-linux-aarch64.so.1"}
-    versions = [
-        tuple(map(int, version.name.removeprefix("GLIBC_").split(".")))
-        for requirement in elf.symbols_version_requirement
-        for version in requirement.get_auxiliary_symbols()
-    ]
-    assert versions and max(versions) <= (2, 17)
-    assert {symbol.name for symbol in elf.exported_symbols} == functions(fmi)
+PROCESSORS = {"linux64": {"x86_64"}, "win64": {"x86_64"}, "darwin64": {"x86_64", "aarch64"}}
+"""Processors by the names that FMI 2.0 gives to platforms; the file for macOS is universal."""
 
 
-@pytest.mark.parametrize(("fmi", "name"), [case for case in ALL if case[1].endswith(".dylib")])
-def test_macos_files(libraries, fmi, name):
-    """Universal in FMI 2.0; signed (Apple's Arm processors run nothing else); only the system's library."""
-    whole = lief.MachO.parse(str(library(libraries, fmi, name)))  # owns its parts
-    files = list(whole)
-    cpu = lief.MachO.Header.CPU_TYPE
-    wanted = {
-        "darwin64": {cpu.X86_64, cpu.ARM64},
-        "x86_64-darwin": {cpu.X86_64},
-        "aarch64-darwin": {cpu.ARM64},
-    }
-    assert {file.header.cpu_type for file in files} == wanted[name.split("/")[0]]
-    for file in files:
-        others = [
-            used.name for used in file.libraries if used.command != lief.MachO.LoadCommand.TYPE.ID_DYLIB
-        ]
-        assert others == ["/usr/lib/libSystem.B.dylib"]
-        if file.header.cpu_type == cpu.ARM64:
-            assert file.has_code_signature
-        assert file.build_version.minos <= [11, 0, 0]
-        of_the_linker = {"___dso_handle", "__mh_dylib_header"}
-        exports = {export.symbol.name for export in file.dyld_info.exports} - of_the_linker
-        assert exports == {f"_{name}" for name in functions(fmi)}
-
-
-@pytest.mark.parametrize(("fmi", "name"), [case for case in ALL if case[1].endswith(".dll")])
-def test_windows_files(libraries, fmi, name):
-    """No library that Windows 10 does not have."""
-    pe = lief.PE.parse(str(library(libraries, fmi, name)))
-    machine = lief.PE.Header.MACHINE_TYPES
-    assert pe.header.machine == (machine.ARM64 if name.startswith("aarch64") else machine.AMD64)
-    for used in pe.imports:
-        assert used.name.lower() == "kernel32.dll" or used.name.lower().startswith("api-ms-win-crt-"), (
-            used.name
-        )
-    assert {entry.name for entry in pe.get_export().entries} == functions(fmi)
+@pytest.mark.parametrize("fmi", UNITS)
+def test_each_library_is_for_its_processors_exports_the_standard_and_needs_only_the_system(fmi):
+    found = dict(libraries_in(UNITS[fmi]))
+    assert len(found) == len(BINARIES[fmi])
+    for path, data in found.items():
+        platform = path.split("/")[1]
+        library = Library(data)
+        assert library.processors == PROCESSORS.get(platform, {platform.split("-")[0]}), path
+        assert library.exports == functions_of_fmi(HEADERS, fmi), path
+        library.assert_needs_only_the_system()
 
 
 # ---- running ------------------------------------------------------------------------------------------

@@ -22,7 +22,7 @@ from .dual import UndecidedError, absolute, floats_above, greatest, identity, ro
 from .parameters import Forced, Parameters
 from .proof import Box
 from .starts import Starts
-from .stride import Stride, Traveller
+from .stride import Traveller
 from .travelling_set import SetTraveller
 
 SMALL = 1e6
@@ -152,9 +152,9 @@ def refined(
     return found
 
 
-def residual(stride: Stride, centre: Sequence[arb]) -> list[arb]:
+def residual(stride: Traveller, centre: Sequence[arb]) -> list[arb]:
     """Residual at a fixed point and on a border: the way from apex to apex, and the margin."""
-    return [*(after - x for after, x in zip(stride.centre, centre, strict=False)), stride.margin]
+    return [*(after - x for after, x in zip(stride.end, centre, strict=False)), stride.margin]
 
 
 def point_inverse(matrix: NDArray[Any]) -> arb_mat:
@@ -166,7 +166,7 @@ def point_inverse(matrix: NDArray[Any]) -> arb_mat:
     return arb_mat(inverse.tolist())
 
 
-def slopes_of(stride: Stride, tilt: Sequence[arb] = ()) -> arb_mat:
+def slopes_of(stride: Traveller, tilt: Sequence[arb] = ()) -> arb_mat:
     """Derivatives of the residual by the start: six rows, and one for the margin of a forced event."""
     columns = stride.derivative.ncols()
     rows = stride.derivative.tolist()

@@ -25,7 +25,7 @@ from .parameters import Forced, Parameters
 from .proof import Box, Proof, Proved, decimal, exactly, reported, short, text_of
 from .prove import BEYOND, BOXES, DEFAULT_DIGITS, bits_for, prove_exactly
 from .starts import Starts
-from .stride import Stride, Traveller
+from .stride import Traveller
 from .travelling_set import SetTraveller
 
 BESIDE = 1e-7
@@ -217,7 +217,7 @@ def _sides(proof: BorderProof, runner: Runner, step: float) -> tuple[Proof, ...]
     return tuple(found)
 
 
-def _distinguished(one: tuple[Gait, Stride], other: tuple[Gait, Stride]) -> tuple[Forced, Gait]:
+def _distinguished(one: tuple[Gait, Traveller], other: tuple[Gait, Traveller]) -> tuple[Forced, Gait]:
     """Kind of the events that happen at once between two gaits, and the gait whose side is smooth across."""
     pairs = zip(one[1].events, other[1].events, strict=False)
     for index, (first, second) in enumerate(pairs):

@@ -2,13 +2,13 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Self
 
 from flint import arb, arb_mat, ctx
 
 from ..hybrid import cos
 from ..library.section import COORDINATES
-from .dual import Number, UndecidedError, slope_of, value_of
+from .dual import UndecidedError, slope_of, value_of
 from .flow import Flow, Tube, Values, speeds, with_direction
 from .guards import Guard, guard_of, watched
 from .parameters import Forced, Mode, Parameters, at, names_of
@@ -116,30 +116,15 @@ class Met:
     """Constraint, if the event is taken as on one side of a border."""
 
 
-@dataclass
-class Stride:
-    """Proved enclosures of a stride."""
+class Traveller:
+    """A stride of a single start, not proved; `SetTraveller` proves that of a set of starts."""
 
-    centre: list[arb]
+    end: list[arb]
     """The apex that the centre reaches, shape (6,)."""
     derivative: arb_mat
     """Derivative of the map over all starts, shape (6, 6), or (6, 7) with the varied parameter."""
-    word: str
-    """The gait word, the same for all starts."""
-    events: list[Event]
-    """Events in the order in which they are taken."""
-    rank: int
-    """Bound of the rank of the map's derivative: one less than the numbers of the mode with the fewest."""
     quantities: dict[str, arb]
     """Quantities of the stride, over all starts."""
-    margin: arb
-    """Margin of the forced event, at the centre."""
-    margin_slopes: list[arb]
-    """Derivatives by the start, over all starts, shape (6,) or (7,)."""
-
-
-class Traveller:
-    """A single start on its way, not proved; `SetTraveller` proves."""
 
     def __init__(
         self,
@@ -151,7 +136,9 @@ class Traveller:
         """Begin at an apex."""
         self.bits, self.parameters, self.forced = bits, parameters, forced
         self.margin = arb(0)
+        """Margin of the forced event, at the centre."""
         self.margin_slopes: list[arb] = []
+        """Derivatives of the margin by the start, over all starts, shape (6,) or (7,)."""
         self.varied = parameters.varied is not None
         with ctx.workprec(bits):
             self.thin = parameters.balls(centre[6] if self.varied else None)
@@ -161,22 +148,31 @@ class Traveller:
         self.time = arb(0)
         self.zeros: Mapping[str, int] = {}
         self.events: list[Event] = []
+        """Events in the order in which they are taken."""
         self.letters: list[str] = []
         self.flew = True
         self.set: Values = self.centre
         self.names = names_of(self.thin, self.mode)
         self.ledger = Ledger(self.wide)
         self.rank = len(COORDINATES)
+        """Bound of the rank of the derivative: one less than the numbers of the mode with the fewest."""
+
+    @property
+    def word(self) -> str:
+        """The gait word, the same for all starts."""
+        return "".join(self.letters)
 
     # ---- steps -----------------------------------------------------------------------------------------
 
-    def stride(self) -> Stride:
+    def stride(self) -> Self:
         """Follow to the next apex."""
         with ctx.workprec(self.bits):
             for _ in range(MAX_STEPS):
                 try:
                     if self.step():
-                        return self._close()
+                        self._close()
+                        self.quantities = self.ledger.quantities(self.time)
+                        return self
                 except UndecidedError as problem:
                     if problem.time is None:
                         problem.time = float(self.time.mid()) if self.time.is_finite() else None
@@ -284,20 +280,8 @@ class Traveller:
             self.letters.append(mode.letter)
         self.flew = False
 
-    def _close(self) -> Stride:
-        return self._closed(apex_of(self.thin, self.centre), arb_mat(0, 0))
-
-    def _closed(self, centre: Sequence[Number], derivative: arb_mat) -> Stride:
-        return Stride(
-            [arb(value) for value in centre],
-            derivative,
-            "".join(self.letters),
-            self.events,
-            self.rank,
-            self.ledger.quantities(self.time),
-            self.margin,
-            self.margin_slopes,
-        )
+    def _close(self) -> None:
+        self.end = [arb(value) for value in apex_of(self.thin, self.centre)]
 
 
 def gradient_of_guard(runner: Any, mode: Mode, name: str, values: Values) -> list[arb]:

@@ -38,7 +38,7 @@ from .given import Radius, RunnerLike, ball_of, gait_of, radius_of
 from .guards import Guard, guard_of
 from .parameters import BALLISTIC, PARAMETER, Forced, Parameters, at, kept_names, moving_names
 from .starts import Starts, apex_of, degree_for, motion_at, seeded
-from .stride import Ledger, Met, Stride, Traveller, gradient_of_guard
+from .stride import Ledger, Met, Traveller, gradient_of_guard
 from .transitions import Entered, Transition
 
 OFTEN = 8
@@ -213,7 +213,7 @@ Instant = tuple[arb, Values]
 
 
 class SetTraveller(Traveller):
-    """All starts of a set on their way."""
+    """A stride of all starts of a set, proved."""
 
     def __init__(
         self,
@@ -342,13 +342,12 @@ class SetTraveller(Traveller):
         found = thin.at(when)
         return (when, found), Transition(self.thin, mode, found, met.forced).take(name)
 
-    def _close(self) -> Stride:
+    def _close(self) -> None:
         drifts = zip(self.names, self.drift.balls(), strict=True)
-        centre = apex_of(self.thin, {name: self.centre[name] + ball for name, ball in drifts})
+        self.end = apex_of(self.thin, {name: self.centre[name] + ball for name, ball in drifts})
         numbers = seeded({name: self.set[name] for name in self.names})
         apexes = dict(zip(COORDINATES, apex_of(self.dual, numbers), strict=True))
-        derivative = self._slopes(apexes, COORDINATES, self.names) * self.spread.product
-        return self._closed(centre, derivative)
+        self.derivative = self._slopes(apexes, COORDINATES, self.names) * self.spread.product
 
 
 BITS = 80
