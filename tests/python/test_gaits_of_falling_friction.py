@@ -23,21 +23,6 @@ def downhill():
     return runner_of(tdmf_slip.Runner({}), DOWNHILL, 1.5, 0.1)
 
 
-def test_gaits_on_level_ground_are_what_is_kept(data):
-    compared = 0
-    for ratio in RATIOS[LEVEL]:
-        its = branch_of(data, LEVEL, ratio)
-        of_branch = np.flatnonzero(its["kind"] == "")
-        for row in of_branch[[20, 90, 150]]:
-            velocity = its["stribeck_velocity"][row]
-            gait = tdmf_slip.find_gait(runner_of(tdmf_slip.Runner({}), LEVEL, ratio, velocity))
-            assert gait.word == its["word"][row] and gait.stable == its["stable"][row]
-            assert gait.speed == pytest.approx(its["speed"][row], rel=1e-7)
-            assert gait.lambda_max == pytest.approx(its["lambda_max"][row], rel=1e-5)
-            compared += 1
-    assert compared == 12
-
-
 @pytest.mark.parametrize("ratio", RATIOS[LEVEL])
 def test_the_branch_leads_from_the_jump_to_the_static_friction(data, ratio):
     """From the gait whose friction jumps, at no velocity, to that of friction rho mu, at an infinite one."""

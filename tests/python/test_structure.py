@@ -1,17 +1,17 @@
-"""Dependencies declared in the model structure, and directional derivatives, against perturbations."""
+"""Dependencies that the unit of FMI 3.0 declares, and its derivatives, against perturbations.
+
+The unit of FMI 2.0 declares the same, see test_fmi3, and has the same source of values.
+"""
 
 import ctypes
 import math
 import random
 from collections import Counter
 
-import fmpy
 import numpy as np
 import pytest
-import tdmf_slip
 from conftest import RELEASE
 from fmpy.fmi1 import FMICallException
-from fmpy.fmi2 import FMU2Model, FMU2Slave
 from fmpy.fmi3 import FMU3Model, FMU3Slave
 
 STARTS, RUNS, INITIAL_STARTS = (600, 60, 240) if RELEASE else (150, 20, 40)
@@ -53,12 +53,10 @@ def random_start(draw):
 
 
 class Unit:
-    """The unit of a version of FMI, and what its description declares."""
+    """The unit, and what its description declares."""
 
-    def __init__(self, fmi, folder):
-        path = tdmf_slip.fmu_path(fmi=fmi)
-        self.fmi, self.description = fmi, fmpy.read_model_description(path)
-        self.folder = fmpy.extract(str(path), str(folder))
+    def __init__(self, folder, description):
+        self.folder, self.description = folder, description
         variables = self.description.modelVariables
         self.variables = {v.name: v for v in variables}
         self.inputs = [v.name for v in variables if v.causality == "input"]
@@ -66,10 +64,10 @@ class Unit:
         self.states = [unknown.variable.derivative.name for unknown in self.description.derivatives]
 
     def exchange(self):
-        return Probe(self, FMU2Model if self.fmi == 2 else FMU3Model)
+        return Probe(self, FMU3Model)
 
     def stepper(self, **options):
-        return Probe(self, FMU2Slave if self.fmi == 2 else FMU3Slave, **options)
+        return Probe(self, FMU3Slave, **options)
 
     def declared(self, *groups):
         """Unknown -> names of all that it depends on."""
@@ -81,7 +79,7 @@ class Unit:
 
 
 class Probe:
-    """An instance of either version of FMI, of which everything may be read and much be set."""
+    """An instance, of which everything may be read and much be set."""
 
     def __init__(self, unit, kind, **options):
         self.unit = unit
@@ -94,8 +92,7 @@ class Probe:
         groups = {}
         for name in names:
             kind = self.unit.variables[name].type
-            enumeration = "Integer" if self.unit.fmi == 2 else "Int64"
-            groups.setdefault(enumeration if kind == "Enumeration" else kind, []).append(name)
+            groups.setdefault("Int64" if kind == "Enumeration" else kind, []).append(name)
         return groups.items()
 
     def read(self, names):
@@ -112,17 +109,10 @@ class Probe:
 
     def begin(self, start, time=0.0):
         """Into Initialization Mode, with start values."""
-        if self.unit.fmi == 2:
-            self.model.setupExperiment(startTime=time)
-            self.model.enterInitializationMode()
-        else:
-            self.model.enterInitializationMode(startTime=time)
+        self.model.enterInitializationMode(startTime=time)
         for name, value in start.items():
             self.write(name, value)
         return self
-
-    def update(self):
-        self.model.newDiscreteStates() if self.unit.fmi == 2 else self.model.updateDiscreteStates()
 
     def states(self):
         values = (ctypes.c_double * len(self.unit.states))()
@@ -133,10 +123,9 @@ class Probe:
         self.model.setContinuousStates((ctypes.c_double * len(values))(*values), len(values))
 
 
-@pytest.fixture(scope="module", params=[2, 3] if RELEASE else [3], ids=lambda fmi: f"FMI {fmi}.0")
-def version(request, tmp_path_factory):
-    """Both versions declare the same, see test_fmi3, and have one source of values."""
-    return Unit(request.param, tmp_path_factory.mktemp("unit"))
+@pytest.fixture(scope="module")
+def unit(unpacked3, description3):
+    return Unit(unpacked3, description3)
 
 
 class Observed:
@@ -193,34 +182,34 @@ def fall(probe):
     states[probe.unit.states.index("leg.length")] = 0.01
     probe.set_states(states)
     probe.model.enterEventMode()
-    probe.update()
+    probe.model.updateDiscreteStates()
 
 
-def test_declared_dependencies_are_those_observed(version):
+def test_declared_dependencies_are_those_observed(unit):
     """Outputs of every type are asked in event mode and in continuous time: none is missing or idle."""
     draw = random.Random(2016)
-    declared = version.declared("outputs", "derivatives", "eventIndicators")
+    declared = unit.declared("outputs", "derivatives", "eventIndicators")
     observed, seen = Observed(declared), set()
     for i in range(STARTS):
         start, jumps = random_start(draw) | {"hip.swing_clamp": i % 4 < 2}, {}
         if i % 2:  # inputs that have jumped since, and a ground that waits
-            jumps = {name: draw.uniform(*WIDE.get(name, (-0.1, 0.1))) for name in version.inputs}
+            jumps = {name: draw.uniform(*WIDE.get(name, (-0.1, 0.1))) for name in unit.inputs}
         if i == 1:
             start, jumps = UNLOADED_EARLY
-        probe = version.exchange().begin(start)
+        probe = unit.exchange().begin(start)
         probe.model.exitInitializationMode()
-        probe.update()
+        probe.model.updateDiscreteStates()
         for name, value in jumps.items():
             probe.write(name, value)
-        probe.update()
+        probe.model.updateDiscreteStates()
         if i % 10 == 0:
             fall(probe)
         now = probe.read(["contact.mode_index", "ground.pending", "status.fallen"])
         seen |= {(name, int(value)) for name, value in now.items()}
-        move_inputs(probe, observed, draw, version.inputs)
+        move_inputs(probe, observed, draw, unit.inputs)
         probe.model.enterContinuousTimeMode()
         move_states_and_time(probe, observed, draw)
-        move_inputs(probe, observed, draw, version.ramped)
+        move_inputs(probe, observed, draw, unit.ramped)
         probe.model.freeInstance()
     assert seen >= {("contact.mode_index", mode) for mode in range(1, 6)}
     assert seen >= {(name, value) for name in ("ground.pending", "status.fallen") for value in (0, 1)}
@@ -229,36 +218,34 @@ def test_declared_dependencies_are_those_observed(version):
 
 
 @pytest.mark.parametrize("early", [False, True], ids=["plain", "at an event that is not taken yet"])
-def test_at_communication_points_outputs_follow_the_declared_inputs(version, early):
-    if early and version.fmi == 2:
-        pytest.skip("FMI 2.0 has no early return")
-    draw, observed = random.Random(22), Observed(version.declared("outputs"))
+def test_at_communication_points_outputs_follow_the_declared_inputs(unit, early):
+    draw, observed = random.Random(22), Observed(unit.declared("outputs"))
     strides, falls, events = 0, 0, 0
     for i in range(RUNS):
         grazes = UNLOADED_EARLY[0] | UNLOADED_EARLY[1]
         options = {"eventModeUsed": True, "earlyReturnAllowed": True} if early else {}
-        probe = version.stepper(**options)
+        probe = unit.stepper(**options)
         probe.begin(grazes if i == 1 else {} if i % 3 == 0 else random_start(draw))
         probe.model.exitInitializationMode()
         time = 0.0
         for k in range(20):
             if early:
-                probe.update()
+                probe.model.updateDiscreteStates()
                 probe.model.enterStepMode()
             step = draw.uniform(0.1, 6.0) if (i, k) != (1, 0) else 0.01
             done = probe.model.doStep(time, step)
             time = done[3] if early else time + step
-            move_inputs(probe, observed, draw, version.inputs)
+            move_inputs(probe, observed, draw, unit.inputs)
             if early:
                 events += bool(done[0])
                 probe.model.enterEventMode()
-                move_inputs(probe, observed, draw, version.inputs)
+                move_inputs(probe, observed, draw, unit.inputs)
         end = probe.read(["stride.count", "status.fallen"])
         strides, falls = strides + end["stride.count"], falls + end["status.fallen"]
         probe.model.freeInstance()
     assert strides > RUNS // 6 and falls > RUNS // 12 and (events > 4 * RUNS) == early
-    inputs = set(version.inputs)
-    assert observed.of == {name: known & inputs for name, known in version.declared("outputs").items()}
+    inputs = set(unit.inputs)
+    assert observed.of == {name: known & inputs for name, known in unit.declared("outputs").items()}
 
 
 def initial_start(draw, i):
@@ -274,17 +261,17 @@ def initial_start(draw, i):
     return start
 
 
-def test_initial_unknowns_follow_the_declared_start_values(version):
+def test_initial_unknowns_follow_the_declared_start_values(unit):
     """No dependency is missing, and those declared are seen; one of a whole start by any unknown."""
     draw = random.Random(29)
-    declared = version.declared("initialUnknowns")
+    declared = unit.declared("initialUnknowns")
     observed = Observed(declared)
-    settable = [v for v in version.variables.values() if v.initial == "exact" or v.causality == "input"]
+    settable = [v for v in unit.variables.values() if v.initial == "exact" or v.causality == "input"]
     whole_start = {v.name for v in settable} - OF_THE_UNIT | {"time"}
     read, refused = Counter(), 0
     for i in range(INITIAL_STARTS):
         start, time = initial_start(draw, i), draw.choice([0.0, 2.0])
-        probe, later = version.exchange().begin(start, time), version.exchange().begin(start, time + 5.0)
+        probe, later = unit.exchange().begin(start, time), unit.exchange().begin(start, time + 5.0)
         before = probe.read(declared)
         observed.compare("time", before, later.read(declared))
         later.model.freeInstance()
@@ -311,22 +298,22 @@ def test_initial_unknowns_follow_the_declared_start_values(version):
     assert sum(map(len, missed.values())) <= tolerated
 
 
-def test_directional_derivatives_in_a_run_are_differences(version):
+def test_directional_derivatives_in_a_run_are_differences(unit):
     """Every continuous output and state derivative is varied by every input and every state.
 
     Adjoint derivatives are the same matrix.
     """
     draw, step = random.Random(14), 1e-5
     unknowns = [
-        name for name in version.declared("outputs", "derivatives")
-        if version.variables[name].variability == "continuous"
+        name for name in unit.declared("outputs", "derivatives")
+        if unit.variables[name].variability == "continuous"
         and name != "der(hip.positive_work)"  # has a kink where the power is zero
     ]  # fmt: skip
-    references = [version.variables[name].valueReference for name in unknowns]
+    references = [unit.variables[name].valueReference for name in unknowns]
     compared, modes, columns = 0, set(), {}
 
     def compare(probe, known, value, change):
-        of = version.variables[known].valueReference
+        of = unit.variables[known].valueReference
         exact = np.array(probe.model.getDirectionalDerivative(references, [of], [1.0]))
         columns[of] = exact
         sides = []
@@ -337,34 +324,30 @@ def test_directional_derivatives_in_a_run_are_differences(version):
         assert (sides[0] - sides[1]) / (2 * step) == pytest.approx(exact, abs=size), known
 
     def compare_adjoint(probe):
-        if version.fmi == 3:
-            exact, weights = (
-                np.stack(list(columns.values())),
-                np.random.default_rng(3).random(len(references)),
-            )
-            adjoint = probe.model.getAdjointDerivative(references, list(columns), weights, len(exact))
-            assert adjoint == pytest.approx(exact @ weights, abs=1e-12 * (1.0 + np.abs(exact).max()))
+        exact, weights = np.stack(list(columns.values())), np.random.default_rng(3).random(len(references))
+        adjoint = probe.model.getAdjointDerivative(references, list(columns), weights, len(exact))
+        assert adjoint == pytest.approx(exact @ weights, abs=1e-12 * (1.0 + np.abs(exact).max()))
         columns.clear()
 
     for _ in range(60):
         start = random_start(draw)
         if abs(start["leg.angle"]) < 0.2:
             continue  # in graze the torque is steep near upright
-        probe = version.exchange().begin(start)
+        probe = unit.exchange().begin(start)
         probe.model.exitInitializationMode()
-        probe.update()
+        probe.model.updateDiscreteStates()
         modes |= set(probe.read(["contact.mode_index"]).values())
-        for known, value in probe.read(version.inputs).items():
+        for known, value in probe.read(unit.inputs).items():
             compare(probe, known, value, lambda at, known=known, probe=probe: probe.write(known, at))
         compare_adjoint(probe)
         probe.model.enterContinuousTimeMode()
         states = probe.states()
-        for i, known in enumerate(version.states):
+        for i, known in enumerate(unit.states):
             compare(
                 probe, known, states[i],
                 lambda at, i=i, probe=probe, x=states: probe.set_states([*x[:i], at, *x[i + 1 :]]),
             )  # fmt: skip
         compare_adjoint(probe)
         probe.model.freeInstance()
-        compared += len(version.inputs) + len(states)
+        compared += len(unit.inputs) + len(states)
     assert modes == {1, 2, 3, 4, 5} and compared > 40 * 25
