@@ -25,7 +25,10 @@ def downhill():
 
 @pytest.mark.parametrize("ratio", RATIOS[LEVEL])
 def test_the_branch_leads_from_the_jump_to_the_static_friction(data, ratio):
-    """From the gait whose friction jumps, at no velocity, to that of friction rho mu, at an infinite one."""
+    """From the gait whose friction jumps, at no velocity, to that of friction rho mu, at an infinite one.
+
+    A gait of the branch is found anew.
+    """
     its = branch_of(data, LEVEL, ratio)
     mu = falling_friction.FRICTIONS[LEVEL]
     jump = tdmf_slip.find_gait({"ground.friction": mu, falling_friction.RATIO: ratio}).speed
@@ -34,6 +37,10 @@ def test_the_branch_leads_from_the_jump_to_the_static_friction(data, ratio):
     ends = [abs(speed[np.argmin(np.abs(velocity - at))] - static) for at in (1.0, 10.0)]
     assert ends[1] < 0.25 * ends[0]
     assert velocity[0] == 1e-3 and abs(speed[0] - jump) < velocity[0] * np.log(1.0 / velocity[0])
+    row = np.flatnonzero(its["kind"] == "")[90]
+    gait = tdmf_slip.find_gait(runner_of(tdmf_slip.Runner({}), LEVEL, ratio, velocity[row]))
+    assert (gait.word, gait.stable) == (its["word"][row], its["stable"][row])
+    assert gait.speed == pytest.approx(speed[row], rel=1e-7)
 
 
 def test_downhill_the_branch_turns_where_the_foot_begins_to_rest(data):
