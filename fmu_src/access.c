@@ -85,7 +85,7 @@ call_status get_texts(instance *instance, const char *call, const uint32_t refer
         if (variable == NULL) {
             status = CALL_ERROR;
         } else if (view != NULL) {
-            values[i] = fmu_get_text(view, variable);
+            values[i] = view->words[variable->offset];
         }
     }
     return status;
@@ -109,11 +109,6 @@ static bool is_settable_now(const instance *instance, const fmu_variable *variab
     return (instance->state & BEFORE_START) != 0 && variable->settable_before_start;
 }
 
-static const char *when_not_settable(const instance *instance, const fmu_variable *variable) {
-    const bool settable_at_times = variable->settable_before_start || variable->storage == STORED_STATE;
-    return settable_at_times ? name_of_state(instance->state) : "at any time";
-}
-
 /* Some importers' solvers set all inputs at each evaluation; at the time of an event, to the values before.
  */
 static bool keeps_its_value(const instance *instance, const fmu_variable *variable) {
@@ -135,8 +130,9 @@ static call_status check_set(const instance *instance, const char *call, unsigne
         return CALL_OK;
     }
     if (!is_settable_now(instance, variable)) {
+        const bool settable_at_times = variable->settable_before_start || variable->storage == STORED_STATE;
         return answer(instance, CALL_ERROR, call, "%s cannot be set %s", variable->name,
-                      when_not_settable(instance, variable));
+                      settable_at_times ? name_of_state(instance->state) : "at any time");
     }
     if (is_trial(instance, variable)) {
         return isnan(value) ? answer(instance, CALL_DISCARD, call, "%s is not a number", variable->name)
@@ -145,13 +141,6 @@ static call_status check_set(const instance *instance, const char *call, unsigne
     char text[FMU_TEXT];
     return fmu_refuse_value(variable, value, text) == NULL ? CALL_OK
                                                            : answer(instance, CALL_DISCARD, call, "%s", text);
-}
-
-static void try_state(fmu *fmu, size_t index, double value) {
-    double states[UNIT_CONTINUOUS_COUNT + 1];
-    fmu_states(fmu, NULL, states);
-    states[index] = value;
-    fmu_try_states(fmu, states);
 }
 
 static call_status set_number(instance *instance, const char *call, uint32_t reference, double value) {
@@ -163,7 +152,10 @@ static call_status set_number(instance *instance, const char *call, uint32_t ref
                             variable->name);
     }
     if (is_trial(instance, variable)) {
-        try_state(&instance->fmu, variable->offset, value);
+        double states[UNIT_CONTINUOUS_COUNT + 1];
+        fmu_states(&instance->fmu, NULL, states);
+        states[variable->offset] = value;
+        fmu_try_states(&instance->fmu, states);
     } else {
         fmu_set_number(&instance->fmu, variable, value);
     }

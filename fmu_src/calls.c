@@ -1,6 +1,7 @@
 /* Life cycle of an instance, the checks that every call of FMI makes first, and the view that calls read. */
 #include "guid.h"
 #include "instance.h"
+#include "page_cvode.h"
 #include "run.h"
 
 #include <stdlib.h>
@@ -180,7 +181,7 @@ call_status exit_initialization(instance *instance, const char *call) {
     if (!call_is_allowed(instance, call, INITIALIZATION_MODE)) {
         return CALL_ERROR;
     }
-    if (!fmu_has_solver(&instance->fmu)) {
+    if (instance->fmu.settings[SETTING_METHOD] != SOLVER_NATIVE && !tdmf_page_cvode_is_available()) {
         return answer(instance, CALL_ERROR, call,
                       "solver.method = cvode is refused: this unit was built without "
                       "SUNDIALS; allowed: native");

@@ -1,6 +1,5 @@
 /* A run of any page: its start, events in Model Exchange, and steps of Co-Simulation. */
 #include "instance.h"
-#include "page_cvode.h"
 #include "run.h"
 #include "run_state.h"
 
@@ -58,18 +57,6 @@ void fmu_set_time(fmu *fmu, double time) {
     if (unit_clock >= 0) {
         states_of(fmu)[unit_clock] = fmu->motion.time;
     }
-}
-
-bool fmu_has_solver(const fmu *fmu) {
-    return fmu->settings[SETTING_METHOD] == SOLVER_NATIVE || tdmf_page_cvode_is_available();
-}
-
-bool fmu_asks_to_terminate(const fmu *fmu) {
-    return fmu->is_exchange && mode_of(fmu)->ends && fmu->settings[SETTING_TERMINATES] != 0.0;
-}
-
-double fmu_longest_step(const fmu *fmu) {
-    return tdmf_longest_step_of_law(mode_of(fmu), parameters_of(fmu), states_of(fmu));
 }
 
 /* ---- events of Model Exchange -------------------------------------------------------------------------- */

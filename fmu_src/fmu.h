@@ -139,12 +139,6 @@ void fmu_enter_event_mode(fmu *fmu);
 /* Takes a pending event and all others that are due now. If it refuses, the unit is as it was. */
 const char *fmu_update(fmu *fmu, const struct instance *observer, bool *state_changed, char text[FMU_TEXT]);
 
-/* Whether the run has ended and its settings ask to end the simulation then. */
-bool fmu_asks_to_terminate(const fmu *fmu);
-
-/* The longest step that an importer's solver may make from here; infinite mostly. */
-double fmu_longest_step(const fmu *fmu);
-
 /* Co-Simulation: moves the run on to `until`. A run that has ended stays readable, frozen. Returns why it got
  * no farther than its time. */
 const char *fmu_advance(fmu *fmu, double until, const struct instance *observer, char text[FMU_TEXT]);
@@ -153,8 +147,5 @@ const char *fmu_advance(fmu *fmu, double until, const struct instance *observer,
  * time, before it is taken, with fmu->event_is_pending. */
 const char *fmu_advance_to_event(fmu *fmu, double until, const struct instance *observer,
                                  char text[FMU_TEXT]);
-
-/* Whether this build has the solver that the settings choose. */
-bool fmu_has_solver(const fmu *fmu);
 
 #endif

@@ -1,6 +1,8 @@
 /* Calls that advance time. In Model Exchange the importer integrates; the unit gives derivatives and event
  * indicators, and takes events. In Co-Simulation the unit integrates. Both interfaces have event mode. */
 #include "instance.h"
+#include "run.h"
+#include "run_state.h"
 
 #include <float.h>
 
@@ -32,9 +34,10 @@ call_status update_discrete_states(instance *instance, const char *call, discret
         instance->state = FAILED;
         return answer(instance, CALL_ERROR, call, "%s", obstacle);
     }
-    update->terminate = fmu_asks_to_terminate(fmu);
-    const double longest = fmu_longest_step(fmu);
-    update->next_time_defined = instance->interface == MODEL_EXCHANGE && isfinite(longest);
+    const tdmf_mode_kind *mode = mode_of(fmu);
+    const double longest = tdmf_longest_step_of_law(mode, parameters_of(fmu), states_of(fmu));
+    update->terminate = fmu->is_exchange && mode->ends && fmu->settings[SETTING_TERMINATES] != 0.0;
+    update->next_time_defined = fmu->is_exchange && isfinite(longest);
     update->next_time = update->next_time_defined ? fmu->time + longest : 0.0;
     return CALL_OK;
 }

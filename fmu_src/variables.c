@@ -7,12 +7,11 @@
 #include <math.h>
 #include <stdio.h>
 
+/* The number of the run that a parameter, an input or a state is. */
 static double *number_of(const fmu *fmu, const fmu_variable *variable) {
-    return (double *)(size_t)&fmu->motion.numbers[variable->offset];
-}
-
-static double *state_of(const fmu *fmu, const fmu_variable *variable) {
-    return (double *)(size_t)&fmu->motion.numbers[UNIT_PARAMETER_COUNT + unit_states[variable->offset].index];
+    const bool is_state = variable->storage == STORED_STATE;
+    return is_state ? &states_of(fmu)[unit_states[variable->offset].index]
+                    : &parameters_of(fmu)[variable->offset];
 }
 
 double fmu_get_number(const fmu *fmu, const fmu_view *view, const fmu_variable *variable) {
@@ -25,9 +24,8 @@ double fmu_get_number(const fmu *fmu, const fmu_view *view, const fmu_variable *
         return fmu->starts[variable->offset];
     case STORED_PARAMETER:
     case STORED_INPUT:
-        return *number_of(fmu, variable);
     case STORED_STATE:
-        return *state_of(fmu, variable);
+        return *number_of(fmu, variable);
     case STORED_DERIVATIVE:
         return view->derivatives[variable->offset];
     case STORED_GUARD:
@@ -47,10 +45,6 @@ double fmu_get_number(const fmu *fmu, const fmu_view *view, const fmu_variable *
                                                                     : fmin(fmax(value, -INT_MAX), INT_MAX);
 }
 
-const char *fmu_get_text(const fmu_view *view, const fmu_variable *variable) {
-    return view->words[variable->offset];
-}
-
 void fmu_set_number(fmu *fmu, const fmu_variable *variable, double value) {
     if (variable->storage == STORED_TIME) {
         fmu->time = value;
@@ -59,7 +53,7 @@ void fmu_set_number(fmu *fmu, const fmu_variable *variable, double value) {
     } else if (variable->storage == STORED_START) {
         fmu->starts[variable->offset] = value;
     } else {
-        *(variable->storage == STORED_STATE ? state_of(fmu, variable) : number_of(fmu, variable)) = value;
+        *number_of(fmu, variable) = value;
         if (fmu->is_exchange && fmu->has_begun) {
             take_immediate_events(fmu);
         }

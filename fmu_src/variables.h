@@ -67,9 +67,6 @@ const char *fmu_refuse_value(const fmu_variable *variable, double value, char te
 /* A numeric variable's value; outputs and derivatives are read from `view`. */
 double fmu_get_number(const fmu *fmu, const fmu_view *view, const fmu_variable *variable);
 
-/* The text of a String variable, owned by `view`. */
-const char *fmu_get_text(const fmu_view *view, const fmu_variable *variable);
-
 /* Stores a value that was checked. */
 void fmu_set_number(fmu *fmu, const fmu_variable *variable, double value);
 

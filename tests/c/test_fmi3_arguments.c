@@ -205,40 +205,6 @@ FMI_TEST(a_run_may_stop_where_it_starts) {
     assert_int_equal(initialize_from(fmi, instance, 2.0, true, 2.0), FMI_OK);
 }
 
-/* 0.1 + 0.2 > 0.3 in doubles. */
-FMI_TEST(rounding_does_not_carry_a_step_beyond_the_stop_time) {
-    step_answer answer;
-    void *instance = new_of_kind(fmi, STEPS);
-    assert_true(0.1 + 0.2 > 0.3);
-    assert_int_equal(initialize_from(fmi, instance, 0.0, true, 0.3), FMI_OK);
-    assert_int_equal(fmi->do_step(instance, 0.0, 0.1, &answer), FMI_OK);
-    assert_int_equal(fmi->do_step(instance, 0.1, 0.2, &answer), FMI_OK);
-}
-
-FMI_TEST(communication_points_are_off_by_rounding_only) {
-    static const double epoch = 1.7e9, step = 1e-3;
-    step_answer answer;
-    void *instance = new_of_kind(fmi, STEPS);
-    assert_int_equal(initialize_from(fmi, instance, 0.0, false, 0.0), FMI_OK);
-    assert_int_equal(fmi->do_step(instance, 0.0, 1.0, &answer), FMI_OK);
-    assert_int_equal(fmi->do_step(instance, 1.0 + 1e-4, 1.0, &answer), FMI_ERROR);
-    assert_non_null(strstr(last_message, "communication point"));
-    assert_int_equal(fmi->do_step(instance, 1.0 + 1e-7, 1.0, &answer), FMI_OK);
-    assert_int_equal(fmi->reset(instance), FMI_OK);
-    assert_int_equal(initialize_from(fmi, instance, epoch, false, 0.0), FMI_OK);
-    assert_int_equal(fmi->do_step(instance, epoch, step, &answer), FMI_OK);
-    assert_int_equal(fmi->do_step(instance, nextafter(epoch + step, INFINITY), step, &answer), FMI_OK);
-}
-
-FMI_TEST(a_step_beyond_all_numbers_is_refused) {
-    step_answer answer;
-    void *instance = new_of_kind(fmi, STEPS);
-    initialize_unit(fmi, instance);
-    assert_int_equal(fmi->do_step(instance, DBL_MAX, DBL_MAX, &answer), FMI_ERROR);
-    assert_non_null(strstr(last_message, "not a positive number"));
-    step_by(fmi, instance, 1.0);
-}
-
 /* One step from the start of a runner whose leg turns at a rate. */
 static step_answer step_of(fmi3Instance instance, double angle_rate, double end) {
     step_answer answer;

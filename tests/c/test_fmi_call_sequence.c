@@ -301,15 +301,3 @@ TEST(fmi3_wants_room_for_each_answer_of_an_update) {
                          fmi3Error);
     }
 }
-
-/* As an importer's slip, mended: start values that contradict each other are set right and tried again. */
-FMI_TEST(start_values_may_be_mended_after_a_refusal) {
-    void *instance = new_of_kind(fmi, EXCHANGE);
-    update_answer answer;
-    assert_int_equal(set_value(fmi, instance, "leg.min_length", 2.0), FMI_OK);
-    assert_int_equal(fmi->enter_initialization(instance, &from_zero), FMI_OK);
-    assert_int_equal(fmi->exit_initialization(instance), FMI_ERROR);
-    assert_int_equal(set_value(fmi, instance, "leg.min_length", 0.05), FMI_OK);
-    assert_int_equal(fmi->exit_initialization(instance), FMI_OK);
-    assert_int_equal(fmi->update(instance, &answer), FMI_OK);
-}

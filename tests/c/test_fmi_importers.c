@@ -98,35 +98,6 @@ FMI_TEST(states_set_one_by_one_are_states_set_as_a_whole) {
     assert_true(value_of(fmi, single, "body.y") == value_of(fmi, whole, "body.y"));
 }
 
-/* The matrix A of a state space, by differences of states that are set one by one. */
-FMI_TEST(differences_of_states_set_one_by_one_are_the_directional_derivatives) {
-    static const double delta = 1e-6, one = 1.0;
-    const uint32_t states = reference_of("foot.x"), slopes = reference_of("der(foot.x)");
-    int nonzero = 0;
-    void *instance = new_of_kind(fmi, EXCHANGE);
-    begin(fmi, instance, EXCHANGE);
-    for (uint32_t j = 0; j < TDMF_STATE_COUNT; ++j) {
-        const uint32_t known = states + j;
-        double at, rates[2][TDMF_STATE_COUNT];
-        assert_int_equal(fmi->get_reals(instance, &known, 1, &at), FMI_OK);
-        for (int step = 0; step < 2; ++step) {
-            const double shifted = at + (step == 0 ? -delta : delta);
-            assert_int_equal(fmi->set_reals(instance, &known, 1, &shifted), FMI_OK);
-            assert_int_equal(fmi->get_derivatives(instance, rates[step], TDMF_STATE_COUNT), FMI_OK);
-        }
-        assert_int_equal(fmi->set_reals(instance, &known, 1, &at), FMI_OK);
-        for (uint32_t i = 0; i < TDMF_STATE_COUNT; ++i) {
-            const uint32_t unknown = slopes + i;
-            double value;
-            assert_int_equal(fmi->directional_derivative(instance, &unknown, 1, &known, 1, &one, &value),
-                             FMI_OK);
-            assert_close((rates[1][i] - rates[0][i]) / (2.0 * delta), value, 1e-7);
-            nonzero += value != 0.0 ? 1 : 0;
-        }
-    }
-    assert_true(nonzero >= 20);
-}
-
 /* A solver's trial may lie beyond any start: below the ground, or nowhere. */
 FMI_TEST(trial_states_go_beyond_the_range_of_starts) {
     static const double trials[] = {-1e-9, -5.0, 1e300, INFINITY, -INFINITY};
@@ -240,6 +211,8 @@ TEST(none_of_what_the_unit_lacks_is_given_and_one_refused) {
     assert_int_equal(fmi3GetIntervalDecimal(instance, &reference, 1, NULL, NULL), fmi3Error);
     assert_int_equal(fmi3SetShiftFraction(instance, &reference, 1, NULL, NULL), fmi3Error);
     assert_int_equal(fmi3ActivateModelPartition(instance, reference, 0.0), fmi3Error);
+    assert_int_equal(fmi3EnterConfigurationMode(instance), fmi3Error);
+    assert_non_null(strstr(last_message, "structural parameter"));
     assert_int_equal(fmi3EnterContinuousTimeMode(instance), fmi3OK); /* all that has done no harm */
 }
 

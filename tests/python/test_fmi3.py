@@ -1,6 +1,5 @@
 """The FMI 3.0 unit through FMPy: the strides of the FMI 2.0 unit, in every way of running it."""
 
-import ctypes
 import pathlib
 import zipfile
 from operator import attrgetter
@@ -10,7 +9,6 @@ import fmpy
 import numpy as np
 import pytest
 from conftest import QUANTITIES, apex_start, name_of_gait, reference_gaits, runner_of_gait, some_of
-from fmpy.fmi3 import FMU3Model
 from fmpy.validation import validate_fmu
 from lxml import etree
 
@@ -146,22 +144,3 @@ def test_terminals_speak_of_variables(fmu3, description3):
     assert members["hip"] == {"hip.external_torque", "leg.angle", "leg.angle_rate"}
     assert {"contact.fx", "contact.fy", "ground.friction"} <= members["ground"]
     assert set().union(*members.values()) <= names
-
-
-# ---- call by call -------------------------------------------------------------------------------------
-
-
-def test_counts_never_change(unpacked3, description3):
-    """Saved states and derivatives of FMI 3.0 are tested in C and in test_structure."""
-    given = {"guid": description3.guid, "modelIdentifier": "TDMF_SLIP", "instanceName": "runner"}
-    model = FMU3Model(unzipDirectory=unpacked3, **given)
-    model.instantiate()
-    count = description3.numberOfEventIndicators
-    assert (model.getNumberOfContinuousStates(), model.getNumberOfEventIndicators()) == (15, count)
-    model.enterInitializationMode()
-    model.exitInitializationMode()
-    model.enterContinuousTimeMode()
-    indicators = (ctypes.c_double * count)()
-    model.getEventIndicators(indicators, count)
-    assert all(value > 0.0 for value in indicators)
-    model.freeInstance()

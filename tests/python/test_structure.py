@@ -60,6 +60,7 @@ class Unit:
         variables = self.description.modelVariables
         self.variables = {v.name: v for v in variables}
         self.inputs = [v.name for v in variables if v.causality == "input"]
+        self.tunable = [v.name for v in variables if v.variability == "tunable"]
         self.ramped = [v.name for v in variables if v.causality == "input" and v.variability == "continuous"]
         self.states = [unknown.variable.derivative.name for unknown in self.description.derivatives]
 
@@ -299,7 +300,7 @@ def test_initial_unknowns_follow_the_declared_start_values(unit):
 
 
 def test_directional_derivatives_in_a_run_are_differences(unit):
-    """Every continuous output and state derivative is varied by every input and every state.
+    """Every continuous output and state derivative is varied by inputs, tunable parameters and states.
 
     Adjoint derivatives are the same matrix.
     """
@@ -337,7 +338,7 @@ def test_directional_derivatives_in_a_run_are_differences(unit):
         probe.model.exitInitializationMode()
         probe.model.updateDiscreteStates()
         modes |= set(probe.read(["contact.mode_index"]).values())
-        for known, value in probe.read(unit.inputs).items():
+        for known, value in probe.read(unit.inputs + unit.tunable).items():
             compare(probe, known, value, lambda at, known=known, probe=probe: probe.write(known, at))
         compare_adjoint(probe)
         probe.model.enterContinuousTimeMode()
@@ -349,5 +350,5 @@ def test_directional_derivatives_in_a_run_are_differences(unit):
             )  # fmt: skip
         compare_adjoint(probe)
         probe.model.freeInstance()
-        compared += len(unit.inputs) + len(states)
-    assert modes == {1, 2, 3, 4, 5} and compared > 40 * 25
+        compared += len(unit.inputs + unit.tunable) + len(states)
+    assert modes == {1, 2, 3, 4, 5} and compared > 40 * 32
