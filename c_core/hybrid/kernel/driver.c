@@ -8,392 +8,144 @@
  *     dt = -(g_x dx + g_p dp)/(g_x f-),      dx+ = R_x (dx + f- dt) + R_p dp - f+ dt,
  *
  * and resets that follow in zero time, which inequalities decide, shift with the first one. A step is in
- * page_step.h and observed.h, where a mode begins and events are in run_state.h.
+ * page_lanes.h, where a mode begins and events are in run_state.h.
  */
 #include "driver.h"
 
-#include "observed.h"
-#include "run_state.h"
+#include "page_lanes.h"
 
 #include <stdio.h>
 
-/* `state` and `at` are those of the run at hand. */
 struct tdmf_driver {
-    run_state *state;
-    mode_start *at;
-    page_step step;
-    observed_part observed[TDMF_WATCH_LIMIT];
-    double (*t)[TERMS];    /* variations of the moving series along a seed */
-    tdmf_seed_lanes lanes; /* their memory is NULL where one seed is varied after the other */
-    bool fills_lanes;      /* they hold the constants and the series of the step */
-    const tdmf_mode_kind *mode;
-    bool is_limited;     /* the step, by the time scale of the mode */
-    bool is_after_event; /* the step begins at an event, whose time varies by `shift` */
+    lane_room room;
+    page_lanes lane;
+    double *memory; /* of the lane's arrays */
 };
 
-typedef tdmf_driver work;
-
-static double *seed_dx(const work *w, int seed) {
-    return w->state->r->dx + seed * w->state->model->state_count;
-}
-
-/* ---- the step ------------------------------------------------------------------------------------------ */
-
-static void load(work *w) {
-    w->mode = &w->state->model->modes[w->state->r->mode];
-    w->step.motion = w->mode->motion;
-    w->step.kinds = w->mode->guards;
-    w->step.watches = w->mode->watches;
-    w->step.guard_count = w->mode->guard_count;
-    w->step.observed_count = tdmf_observed_count(w->mode, w->state->r->observes);
-    w->step.tolerance = w->state->r->tolerance;
-    w->step.c = w->at->c;
-    w->step.watched = 0;
-    load_mode(&w->step, 0, w->at, w->state->scales);
-    clear_polynomials(&w->step);
-}
-
-/* Expands the series and chooses a step that can be trusted. Where coefficients overflow, the series has
- * fewer terms. False where no step has a finite result. */
-static bool begin_step(work *w, double left) {
-    const tdmf_motion_kind *m = w->step.motion;
-    series_remainder remainder;
-    for (int i = 0; i < m->moving_count; ++i) {
-        w->step.s[i][0] = w->state->r->x[m->moving[i]];
-    }
-    w->step.order = w->state->r->order;
-    w->fills_lanes = false;
-    m->expand(w->step.c, w->step.order, w->step.s[0]);
-    while (!judge_series(&w->step, &remainder)) {
-        w->step.order -= 2;
-        if (!tdmf_is_order(w->step.order)) {
-            return false;
-        }
-    }
-    const double longest = tdmf_longest_step_of_law(w->mode, w->state->r->p, w->state->r->x);
-    choose_size(&w->step, &remainder, longest, left);
-    w->state->reach = w->step.reach;
-    w->is_limited = w->step.reach == longest;
-    return w->step.size >= 0.0;
-}
-
-/* ---- going on ------------------------------------------------------------------------------------------ */
-
-static void trust_all_observed(work *w) {
-    for (int i = 0; i < w->step.observed_count; ++i) {
-        trust_observed(&w->step, i, w->state->r->x[w->mode->watches[i].into], true);
-    }
-}
-
-/* Goes on with the states of observed quantities. */
-static void observe_all(work *w, double *x) {
-    for (int i = 0; i < w->step.observed_count; ++i) {
-        double *value = &x[w->mode->watches[i].into];
-        *value = observe(&w->step, i, *value, w->step.power[1] > 0.0);
-    }
-}
-
-/* Goes on with the moving states from the beginning of the step to the time whose powers are set. */
-static void advance_states(const work *w, double *x) {
-    const tdmf_motion_kind *m = w->step.motion;
-    for (int i = 0; i < m->moving_count; ++i) {
-        x[m->moving[i]] = value_at_end(&w->step, i);
-    }
-}
-
-static const double *seed_d(const work *w, int seed) {
-    return w->at->d + seed * w->state->model->constant_count;
-}
-
-/* Expands the variations of a seed and, where there are lanes, of the next one. Returns how many. */
-static int vary(work *w, int seed) {
-    const tdmf_motion_kind *m = w->step.motion;
-    const tdmf_page_run *r = w->state->r;
-    const double *dx = seed_dx(w, seed);
-    if (w->lanes.memory && seed + 1 < r->seed_count) {
-        const tdmf_seed_kind *seeds = w->state->model->seeds;
-        const double *const d[2] = {seed_d(w, seed), seed_d(w, seed + 1)};
-        const double *const both[2] = {dx, seed_dx(w, seed + 1)};
-        if (!w->fills_lanes) {
-            seeds->fill(seeds->motions, r->mode, &w->lanes, w->step.c, w->step.s, w->step.order);
-            w->fills_lanes = true;
-        }
-        seeds->vary(seeds->motions, r->mode, &w->lanes, d, both, w->step.order);
-        return 2;
-    }
-    for (int i = 0; i < m->moving_count; ++i) {
-        w->t[i][0] = dx[m->moving[i]];
-    }
-    m->vary(w->step.c, w->step.s[0], seed_d(w, seed), w->step.order, w->t[0]);
-    return 1;
-}
-
-/* Reads the variations of the first or second of so many seeds that were expanded. */
-static void read_variation(const work *w, int number, int count) {
-    const tdmf_seed_kind *seeds = w->state->model->seeds;
-    if (count > 1) {
-        seeds->read(seeds->motions, w->state->r->mode, &w->lanes, number, w->step.order, w->t);
-    }
-}
-
-/* Goes on with the variations of a seed. */
-static void advance_variation(const work *w, int seed, double *dx) {
-    const tdmf_motion_kind *m = w->step.motion;
-    const double *d = seed_d(w, seed);
-    const double shift = w->is_after_event ? w->state->r->shift[seed] : 0.0;
-    for (int i = 0; i < w->step.observed_count; ++i) {
-        double *varied = &dx[w->mode->watches[i].into];
-        *varied = observed_variation(&w->step, i, d, w->t, shift, *varied);
-    }
-    for (int i = 0; i < m->moving_count; ++i) {
-        dx[m->moving[i]] = sum_of(w->t[i], w->step.power, w->step.order);
-    }
-}
-
-/* ---- samples ------------------------------------------------------------------------------------------- */
-
-/* Writes the states at a time within the step, whose powers it sets. */
-static void states_within(work *w, double elapsed, double *x) {
-    set_power_pairs(w->step.power, elapsed, w->step.order);
-    memcpy(x, w->state->r->x, (size_t)w->state->model->state_count * sizeof *x);
-    observe_all(w, x);
-    advance_states(w, x);
-}
-
-/* Makes the samples within a step that lasts for `elapsed`, before the run is advanced. */
-static void sample_within(work *w, double elapsed) {
-    tdmf_page_run *r = w->state->r;
-    const tdmf_model_kind *model = w->state->model;
-    double *x = w->at->room, *dx = w->at->rates;
-    const int first = r->sampled;
-    while (tdmf_next_sample(r) - r->time < elapsed) {
-        states_within(w, tdmf_next_sample(r) - r->time, x);
-        tdmf_write_sample(model, r, r->sampled++, x);
-    }
-    for (int seed = 0, count = 0; seed < r->seed_count && r->d_samples && r->sampled > first; seed += count) {
-        count = vary(w, seed);
-        for (int i = 0; i < count * (r->sampled - first); ++i) {
-            const int sample = first + i / count, own = i % count;
-            read_variation(w, own, count);
-            states_within(w, r->sample_times[sample] - r->time, x);
-            memcpy(dx, seed_dx(w, seed + own), (size_t)model->state_count * sizeof *dx);
-            advance_variation(w, seed + own, dx);
-            tdmf_vary_sample(model, r, sample, seed + own, x, dx);
-        }
-    }
-    if (r->sampled > first) {
-        set_power_pairs(w->step.power, elapsed, w->step.order);
-    }
-}
-
-/* ---- its end ------------------------------------------------------------------------------------------- */
-
-/* Finds what is observed up to the end of the step, and the variations there. False where these cannot be
- * trusted so far: then the step is shorter. */
-static bool find_variations(work *w) {
-    tdmf_page_run *r = w->state->r;
-    const int states = w->state->model->state_count;
-    for (int i = 0; i < w->step.observed_count; ++i) {
-        const int into = w->mode->watches[i].into;
-        w->at->after[into] = r->x[into];
-    }
-    observe_all(w, w->at->after);
-    for (int seed = 0, count = 0; seed < r->seed_count; seed += count) {
-        count = vary(w, seed);
-        for (int own = 0; own < count; ++own) {
-            double *dx = w->at->d_after + (seed + own) * states;
-            read_variation(w, own, count);
-            if (trust_variation(&w->step, w->t, true)) {
-                return false;
-            }
-            memcpy(dx, seed_dx(w, seed + own), (size_t)states * sizeof *dx);
-            advance_variation(w, seed + own, dx);
-        }
-    }
-    return true;
-}
-
-/* Advances the run to the end of the step. */
-static void advance(work *w) {
-    tdmf_page_run *r = w->state->r;
-    double elapsed;
-    trust_all_observed(w);
-    do {
-        elapsed = end_step(&w->step);
-    } while (!find_variations(w));
-    sample_within(w, elapsed);
-    for (int i = 0; i < w->step.observed_count; ++i) {
-        const int into = w->mode->watches[i].into;
-        r->x[into] = w->at->after[into];
-    }
-    advance_states(w, r->x);
-    if (r->seed_count > 0) {
-        const size_t variations = (size_t)r->seed_count * (size_t)w->state->model->state_count;
-        memcpy(r->dx, w->at->d_after, variations * sizeof *r->dx);
-    }
-    tdmf_pass_time(r, elapsed);
-    ++r->steps;
-    r->limited_steps += w->is_limited;
-    w->step.begins = false;
-}
-
-/* Moves the variations onto the guard of an event at the end of the step. */
-static void shift_to_event(work *w, const tdmf_guard_kind *kind) {
-    memset(w->at->rates, 0, (size_t)w->state->model->state_count * sizeof *w->at->rates);
-    for (int i = 0; i < changing_count(&w->step); ++i) {
-        const int of = changing_state(&w->step, i);
-        w->at->rates[of] += rate_before_event(&w->step, i, w->state->r->x[of], true);
-    }
-    tdmf_shift_to_event(w->state, kind, w->at);
-}
-
-/* Moves the variations back to a fixed time, along the rates after the event. */
-static void shift_back(work *w) {
-    for (int i = 0; i < changing_count(&w->step); ++i) {
-        const int of = changing_state(&w->step, i);
-        const double rate = rate_after_event(&w->step, i, true);
-        for (int seed = 0; seed < w->state->r->seed_count; ++seed) {
-            seed_dx(w, seed)[of] -= rate * w->state->r->shift[seed];
-        }
-    }
-    w->state->r->is_shifted = false;
+/* Loads a run, whose mode `at` holds. */
+static page_lanes *load(tdmf_driver *w, run_state *state, const mode_start *at, double until) {
+    const tdmf_mode_kind *mode = &state->model->modes[state->r->mode];
+    w->room.tolerance = state->r->tolerance;
+    w->room.order = state->r->order;
+    w->room.seed_count = state->r->seed_count;
+    w->room.observes = state->r->observes;
+    open_lanes(&w->lane, &w->room, mode, mode->motion, w->memory);
+    w->lane.step.c = at->c;
+    w->lane.d = at->d;
+    w->lane.d_stride = state->model->constant_count;
+    load_run(&w->lane, 0, state, at, until);
+    w->lane.live = true;
+    return &w->lane;
 }
 
 /* Raises largest values to those of an instant after an event. */
-static void observe_instant(work *w) {
-    tdmf_page_run *r = w->state->r;
-    for (int i = 0; i < w->step.observed_count; ++i) {
-        const int into = w->mode->watches[i].into;
-        const double now = is_largest(&w->step, i) ? expanded(&w->step, i)[0] : r->x[into];
-        const bool is_raised = now > r->x[into] + zero_margin * scale_of_observed(&w->step, i);
-        w->step.observed[i].share = is_raised ? 0.0 : -1.0;
-        for (int seed = 0; seed < r->seed_count && is_raised; ++seed) {
-            double *varied = &seed_dx(w, seed)[into];
-            read_variation(w, 0, vary(w, seed));
-            *varied = observed_variation(&w->step, i, seed_d(w, seed), w->t, r->shift[seed], *varied);
+static void observe_instant(page_lanes *b) {
+    page_step *step = &b->step;
+    for (int i = 0; i < step->observed_count; ++i) {
+        double *largest = &b->x[step->places[i]];
+        const double now = is_largest(step, i) ? expanded(step, i)[0] : *largest;
+        const bool is_raised = now > *largest + zero_margin * scale_of_observed(step, i);
+        step->observed[i].share = is_raised ? 0.0 : -1.0;
+        for (int seed = 0; seed < b->room->seed_count && is_raised; ++seed) {
+            double *varied = &b->dx[seed * changing_count(step) + step->places[i]];
+            const double *d = b->d + seed * b->d_stride;
+            read_seed(b, 0, vary_seeds(b, seed));
+            *varied = observed_variation(step, i, d, b->room->t, b->shift[seed], *varied);
         }
-        r->x[into] = real_max(now, r->x[into]);
+        *largest = real_max(now, *largest);
     }
 }
-
-/* ---- the run ------------------------------------------------------------------------------------------- */
 
 void tdmf_leave_guard(tdmf_driver *w, run_state *state, mode_start *at) {
-    w->state = state;
-    w->at = at;
-    load(w);
-    if (state->r->is_shifted && begin_step(w, 0.0)) {
-        search_events(&w->step, true);
-        shift_back(w);
-        observe_instant(w);
-    }
-}
-
-/* Goes on in a mode up to the next event, and takes it. */
-static tdmf_run_outcome to_event(work *w, double until) {
-    tdmf_page_run *r = w->state->r;
-    if (w->mode->ends) {
-        tdmf_sample_here(w->state->model, r);
-        return TDMF_RUN_ENDED;
-    }
-    while (r->steps < w->state->last_step) {
-        const double left = until - r->time - r->time_rest;
-        if (!begin_step(w, real_max(left, 0.0))) {
-            return TDMF_RUN_NO_PROGRESS;
+    page_lanes *b = load(w, state, at, -INFINITY);
+    if (b->is_shifted) {
+        const lane_ends ends = begin_step(b);
+        if (!ends.overflows && !ends.fails) {
+            shift_back(b, true);
+            observe_instant(b);
         }
-        search_events(&w->step, true);
-        const bool is_due = w->step.is_due;
-        if (!is_due) {
-            if (w->state->stops) {
-                return TDMF_RUN_STOPPED;
-            }
-            w->is_after_event = r->is_shifted;
-            if (r->is_shifted) {
-                shift_back(w);
-            }
-            tdmf_sample_here(w->state->model, r);
-            if (!(left > 0.0)) {
-                return TDMF_RUN_ARRIVED;
-            }
-            advance(w);
-            if (w->step.end > 1.0 && w->step.size == left) {
-                r->time = until;
-                r->time_rest = 0.0;
-            }
-            const bool reaches = w->step.end <= 1.0 && w->step.first != NO_EVENT;
-            if (looks_again(&w->step, reaches) || !reaches) {
-                continue;
-            }
-        }
-        const tdmf_guard_kind *kind = &w->mode->guards[w->step.first];
-        if (r->seed_count > 0 && (is_due ? w->step.is_reached : !r->is_shifted)) {
-            if (r->is_shifted) {
-                shift_back(w);
-            }
-            set_power_pairs(w->step.power, is_due ? 0.0 : w->step.power[1], w->step.order);
-            shift_to_event(w, kind);
-        }
-        keep_guards(&w->step, 0, w->at);
-        const bool may_go_on = tdmf_take_event(w->state, kind, w->at);
-        tdmf_begin_mode(w->state, w->at);
-        return may_go_on ? TDMF_RUN_GOES_ON : tdmf_limit_reached(w->state);
+        unload_run(b, 0);
     }
-    return TDMF_RUN_TOO_MANY_STEPS;
 }
 
-/* Numbers of memory that hold a driver. */
-static const size_t driver_size = (sizeof(tdmf_driver) + sizeof(double) - 1) / sizeof(double);
-
-/* The largest number of series of moving states in any mode. Variations have no other series. */
-static size_t most_moving(const tdmf_model_kind *model) {
-    int most = 0;
-    for (int mode = 0; mode < model->mode_count; ++mode) {
-        const tdmf_motion_kind *m = model->modes[mode].motion;
-        most = m->moving_count + m->extra_count > most ? m->moving_count + m->extra_count : most;
+/* Makes steps up to the next event, and takes it. */
+static tdmf_run_outcome to_event(page_lanes *b, run_state *state, mode_start *at) {
+    tdmf_run_outcome outcome = TDMF_RUN_TOO_MANY_STEPS;
+    bool goes_on = b->steps < b->last_step;
+    lane_ends ends = {0};
+    while (goes_on) {
+        ends = begin_step(b);
+        if (ends.overflows || ends.fails || ends.stops) {
+            outcome = ends.stops ? TDMF_RUN_STOPPED : TDMF_RUN_NO_PROGRESS;
+            break;
+        }
+        finish_step(b, &ends);
+        outcome = ends.arrives ? TDMF_RUN_ARRIVED : outcome;
+        goes_on = !ends.arrives && !ends.takes && !ends.is_late;
     }
-    return (size_t)most;
-}
-
-/* Numbers for the constants and series of two lanes, which are aligned, and for their variations. */
-static size_t size_of_seed_lanes(const tdmf_model_kind *model, int seed_count) {
-    const size_t constants = (size_t)model->constant_count,
-                 series = (size_t)model->series_count + most_moving(model);
-    return model->seeds && seed_count > 1 ? 2 * (1 + 2 * constants + series * TERMS) : 0;
-}
-
-size_t tdmf_size_of_driver(const tdmf_model_kind *model, int seed_count) {
-    const size_t series = (size_t)model->series_count + most_moving(model);
-    return driver_size + series * TERMS + (size_t)model->state_count + TDMF_WATCH_LIMIT +
-           size_of_seed_lanes(model, seed_count);
-}
-
-tdmf_driver *tdmf_place_driver(const tdmf_model_kind *model, int seed_count, double *memory) {
-    tdmf_driver *driver = (void *)memory;
-    driver->step.s = (void *)(memory + driver_size);
-    driver->t = driver->step.s + model->series_count;
-    driver->step.units = (double *)(driver->t + most_moving(model));
-    driver->step.observed = driver->observed;
-    double *next = driver->step.units + model->state_count + TDMF_WATCH_LIMIT;
-    driver->lanes.memory = size_of_seed_lanes(model, seed_count) > 0 ? next : NULL;
-    driver->lanes.series_count = model->series_count;
-    driver->lanes.constant_count = model->constant_count;
-    return driver;
+    unload_run(b, 0);
+    keep_guards(b, 0, at);
+    if (ends.takes) {
+        const bool may_go_on = take_event(b, 0, &ends, state, at);
+        tdmf_begin_mode(state, at);
+        return may_go_on ? TDMF_RUN_GOES_ON : tdmf_limit_reached(state);
+    }
+    return outcome;
 }
 
 tdmf_run_outcome tdmf_drive_to_event(tdmf_driver *w, run_state *state, mode_start *at, double until) {
-    const long events = state->r->events;
-    w->state = state;
-    w->at = at;
-    load(w);
-    const tdmf_run_outcome outcome = to_event(w, until);
-    if (state->r->events == events) {
-        keep_guards(&w->step, 0, at);
+    tdmf_run_outcome outcome = TDMF_RUN_ENDED;
+    if (state->model->modes[state->r->mode].ends) {
+        tdmf_sample_here(state->model, state->r);
+    } else {
+        outcome = to_event(load(w, state, at, until), state, at);
     }
     if (outcome != TDMF_RUN_GOES_ON) {
         tdmf_keep_guards(state, at);
     }
     return outcome;
 }
+
+/* ---- memory -------------------------------------------------------------------------------------------- */
+
+/* Numbers of memory that hold a driver. */
+static const size_t driver_size = (sizeof(tdmf_driver) + sizeof(double) - 1) / sizeof(double);
+
+/* Numbers of the lane's arrays in any mode. */
+static size_t most_of_mode(const tdmf_model_kind *model, int seed_count) {
+    size_t most = 0;
+    for (int mode = 0; mode < model->mode_count; ++mode) {
+        const size_t size = reals_of_mode(&model->modes[mode], seed_count, TDMF_OBSERVE_ALL);
+        most = size > most ? size : most;
+    }
+    return most;
+}
+
+/* Numbers for the constants and series of two lanes, which are aligned, and for their variations. */
+static size_t size_of_two_seeds(const tdmf_model_kind *model, int seed_count) {
+    const size_t constants = (size_t)model->constant_count;
+    const size_t series = (size_t)model->series_count + most_moving(model);
+    return model->seeds && seed_count > 1 ? 2 * (1 + 2 * constants + series * TERMS) : 0;
+}
+
+size_t tdmf_size_of_driver(const tdmf_model_kind *model, int seed_count) {
+    return driver_size + reals_of_room(model, seed_count) + most_of_mode(model, seed_count) +
+           size_of_two_seeds(model, seed_count);
+}
+
+tdmf_driver *tdmf_place_driver(const tdmf_model_kind *model, int seed_count, double *memory) {
+    tdmf_driver *w = (void *)memory;
+    w->room.model = model;
+    w->room.seed_count = seed_count;
+    w->memory = place_room(&w->room, memory + driver_size);
+    double *next = w->memory + most_of_mode(model, seed_count);
+    w->room.two_seeds.memory = size_of_two_seeds(model, seed_count) > 0 ? next : NULL;
+    w->room.two_seeds.series_count = model->series_count;
+    w->room.two_seeds.constant_count = model->constant_count;
+    return w;
+}
+
+/* ---- runs ---------------------------------------------------------------------------------------------- */
 
 size_t tdmf_run_memory_size(const tdmf_model_kind *model, int seed_count) {
     return tdmf_size_of_mode_start(model, seed_count) + tdmf_size_of_run_state(model) +

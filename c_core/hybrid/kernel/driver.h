@@ -129,15 +129,15 @@ typedef struct {
     int series_count, constant_count;
 } tdmf_seed_lanes;
 
-/* Variations of two seeds side by side: functions of motions of two lanes; see seeds.h. */
+/* Variations of two seeds side by side: functions of motions of two lanes; see seeds.h. Constants, series,
+ * and variations of states that move are arrays of doubles. */
 typedef struct {
     const void *motions; /* of all modes */
-    void (*fill)(const void *motions, int mode, const tdmf_seed_lanes *lanes, const double *c,
-                 double (*s)[TERMS], int order);
-    void (*vary)(const void *motions, int mode, const tdmf_seed_lanes *lanes, const double *const d[2],
-                 const double *const dx[2], int order);
-    void (*read)(const void *motions, int mode, const tdmf_seed_lanes *lanes, int lane, int order,
-                 double (*t)[TERMS]);
+    void (*fill)(const void *motions, int mode, const tdmf_seed_lanes *lanes, const void *c, const void *s,
+                 int order);
+    void (*vary)(const void *motions, int mode, const tdmf_seed_lanes *lanes, const void *const d[2],
+                 const void *const dx[2], int order);
+    void (*read)(const void *motions, int mode, const tdmf_seed_lanes *lanes, int lane, int order, void *t);
 } tdmf_seed_kind;
 
 #ifdef TDMF_HAS_SEED_LANES

@@ -58,6 +58,7 @@ typedef struct {
     const tdmf_guard_kind *kinds;
     const tdmf_watch_kind *watches;
     int guard_count, observed_count;
+    int places[TDMF_WATCH_LIMIT]; /* of observed quantities: see changing_place */
     double tolerance;
     /* Written where the mode begins. */
     real *c;          /* constants */
@@ -141,49 +142,8 @@ static inline int changing_state(const page_step *step, int i) {
 
 /* The first place at which a state changes: several observed quantities may go into one state. */
 static inline int changing_place(const page_step *step, int i) {
-    int first = i < step->motion->moving_count ? i : step->motion->moving_count;
-    while (changing_state(step, first) != changing_state(step, i)) {
-        ++first;
-    }
-    return first;
-}
-
-/* Loads a mode, but for its constants, into a lane. */
-static inline void load_mode(page_step *step, int lane, const mode_start *at, const double *scales) {
-    const int guard_count = step->guard_count, moving_count = step->motion->moving_count;
-    set_mask(&step->begins, lane, at->begins);
-    step->looks = step->rises = true;
-    step->watched |= (((uint64_t)1 << step->observed_count) - 1) << guard_count;
-    for (int i = 0; i < guard_count; ++i) {
-        const guard_start *guard = &at->guards[i];
-        step->watched |= (uint64_t)(guard->flags & IS_WATCHED) << i;
-        set_flags(&step->guards[i].flags, lane, guard->flags & ~RISES);
-        set_lane(&step->guards[i].scale, lane, guard->scale);
-        set_lane(&step->guards[i].late_scale, lane, guard->late_scale);
-    }
-    for (int i = 0; i < moving_count; ++i) {
-        set_lane(&step->units[i], lane, scales[step->motion->moving[i]]);
-    }
-    for (int i = 0; i < step->observed_count; ++i) {
-        set_lane(&step->units[moving_count + i], lane, scales[step->watches[i].into]);
-    }
-}
-
-/* Reads what a lane has found of its guards. */
-static inline void keep_guards(const page_step *step, int lane, mode_start *at) {
-    for (int i = 0; i < step->guard_count; ++i) {
-        at->guards[i].flags = flags_of(&step->guards[i].flags, lane);
-    }
-}
-
-/* Reads all that load_mode has loaded, and what has changed since. */
-static inline void unload_mode(const page_step *step, int lane, mode_start *at) {
-    at->begins = has_lane(&step->begins, lane);
-    for (int i = 0; i < step->guard_count; ++i) {
-        at->guards[i].scale = lane_of(&step->guards[i].scale, lane);
-        at->guards[i].late_scale = lane_of(&step->guards[i].late_scale, lane);
-    }
-    keep_guards(step, lane, at);
+    const int moving_count = step->motion->moving_count;
+    return i < moving_count ? i : step->places[i - moving_count];
 }
 
 /* Clears the series of states that are polynomials in time: a ramp has no other coefficients. */

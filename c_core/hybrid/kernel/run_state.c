@@ -7,7 +7,7 @@ size_t tdmf_size_of_run_state(const tdmf_model_kind *model) {
 
 size_t tdmf_size_of_mode_start(const tdmf_model_kind *model, int seed_count) {
     const size_t constants = (size_t)model->constant_count, states = (size_t)model->state_count;
-    return (1 + (size_t)seed_count) * (constants + states) + 2 * states + (size_t)model->parameter_count;
+    return (1 + (size_t)seed_count) * constants + 2 * states + (size_t)model->parameter_count;
 }
 
 bool tdmf_is_order(int order) {
@@ -34,8 +34,6 @@ void tdmf_place_mode_start(mode_start *at, const tdmf_model_kind *model, int see
     at->room = at->d + seed_count * model->constant_count;
     at->rates = at->room + model->state_count;
     at->none = at->rates + model->state_count;
-    at->after = at->none + model->parameter_count;
-    at->d_after = at->after + model->state_count;
     memset(at->none, 0, (size_t)model->parameter_count * sizeof *at->none);
 }
 

@@ -36,7 +36,6 @@ typedef struct {
     double *c, *d; /* constants of the mode, and their variations for each seed */
     guard_start guards[TDMF_GUARD_LIMIT];
     double *room, *rates, *none; /* arrays of states; `none` holds zeros for parameters that do not vary */
-    double *after, *d_after;     /* states after a step, and their variations for each seed */
 } mode_start;
 
 /* Numbers of doubles that the arrays need. */
