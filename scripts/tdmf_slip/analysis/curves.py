@@ -26,10 +26,10 @@ from .branches import branch_through, first_in_range
 from .special_points import (
     CORNER,
     NEIMARK_SACKER,
+    SINGULAR,
     UNCLASSIFIED,
     WORD_BORDER,
     Special,
-    bialternate,
 )
 
 if TYPE_CHECKING:
@@ -81,9 +81,10 @@ class BifurcationProblem(GaitProblem):
         super().__init__(runner, names)
         self.kind = kind
 
-    def singular(self, rows: Matrix) -> float:
-        """Least singular value of the matrix M, with the sign of its determinant."""
-        return _singular(self.kind, rows)
+    def singular(self, by_apex: Matrix) -> float:
+        """Least singular value of the matrix M, with the sign of its determinant, from J - I."""
+        matrix = SINGULAR[self.kind](by_apex + np.eye(len(by_apex)))
+        return float(np.linalg.slogdet(matrix)[0] * np.linalg.svd(matrix, compute_uv=False)[-1])
 
     def residual(self, x: Vector) -> Vector:
         """Residual of the gait, and the singular value."""
@@ -121,19 +122,6 @@ class BifurcationProblem(GaitProblem):
         if beyond.sequence != last.gait.sequence:
             return f"at a word border: {last.gait.word} becomes {beyond.word}"
         return f"lost: {why}"
-
-
-def _singular(kind: str, by_apex: Matrix) -> float:
-    """Least singular value of the matrix of a bifurcation, from J - I."""
-    identity = np.eye(len(by_apex))
-    matrix = by_apex
-    if kind == NEIMARK_SACKER:
-        product = bialternate(by_apex + identity)
-        matrix = product - np.eye(len(product))
-    elif kind != "fold":
-        matrix = by_apex + 2.0 * identity
-    sign = np.linalg.slogdet(matrix)[0]
-    return float(sign * np.linalg.svd(matrix, compute_uv=False)[-1])
 
 
 def _is_complex(gait: Gait) -> bool:

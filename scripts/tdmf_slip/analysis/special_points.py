@@ -108,7 +108,8 @@ def _at_border(
     value, words = border_between(problem, short, beyond), (short.gait.word, beyond.gait.word)
     yield Special(WORD_BORDER, value, beyond.gait, around, words=words, short=short.gait)
     changes = _changes(short, beyond)
-    turns = FOLD in changes and _passes_one(short, beyond)
+    # The branch turns where an odd number of real eigenvalues gets across 1.
+    turns = FOLD in changes and (_determinant(FOLD, short) > 0.0) != (_determinant(FOLD, beyond) > 0.0)
     real = [FOLD] * turns + [PERIOD_DOUBLING] * (PERIOD_DOUBLING in changes)
     for kind in real:
         yield Special(kind, value, beyond.gait, around, words=words)
@@ -125,12 +126,6 @@ def _unclassified(problem: BranchProblem, before: Point, after: Point, why: str)
     return Special(UNCLASSIFIED, 0.5 * sum(around), after.gait, around, why, kept)
 
 
-def _passes_one(before: Point, after: Point) -> bool:
-    """Whether an odd number of real eigenvalues gets across +1."""
-    low, high = (JACOBIAN_TESTS[FOLD](point.gait.jacobian) for point in (before, after))
-    return (low > 0.0) != (high > 0.0)
-
-
 def bialternate(matrix: Matrix) -> Matrix:
     """The bialternate product of a matrix with itself: its eigenvalues are the products of pairs."""
     pairs = list(combinations(range(len(matrix)), 2))
@@ -138,23 +133,20 @@ def bialternate(matrix: Matrix) -> Matrix:
     return np.array(rows).reshape(len(pairs), len(pairs))
 
 
-def _determinant(matrix: Matrix, number: float) -> float:
-    return float(np.linalg.det(matrix - number * np.eye(len(matrix))))
+SINGULAR: Mapping[str, Callable[[Matrix], Matrix]] = {
+    FOLD: lambda jacobian: jacobian - np.eye(len(jacobian)),
+    PERIOD_DOUBLING: lambda jacobian: jacobian + np.eye(len(jacobian)),
+    NEIMARK_SACKER: lambda jacobian: (product := bialternate(jacobian)) - np.eye(len(product)),
+}
+"""Matrices made from the map's Jacobian that are singular at a bifurcation: where an eigenvalue is 1 or -1,
+and where the product of two of them is 1, as for a pair on the unit circle or at a neutral saddle."""
 
 
-JACOBIAN_TESTS: Mapping[str, Callable[[Matrix], float]] = {
-    FOLD: lambda jacobian: _determinant(jacobian, 1.0),
-    PERIOD_DOUBLING: lambda jacobian: _determinant(jacobian, -1.0),
-    NEIMARK_SACKER: lambda jacobian: _determinant(bialternate(jacobian), 1.0),
-}
-"""Functions of the map's Jacobian that are zero at a bifurcation: where an eigenvalue is 1 or -1, and where
-the product of two of them is 1, as for a pair on the unit circle or at a neutral saddle."""
-_TESTS: Mapping[str, Callable[[Point], float]] = {
-    FOLD: lambda point: float(point.tangent[-1]),
-    PERIOD_DOUBLING: lambda point: JACOBIAN_TESTS[PERIOD_DOUBLING](point.gait.jacobian),
-    NEIMARK_SACKER: lambda point: JACOBIAN_TESTS[NEIMARK_SACKER](point.gait.jacobian),
-}
-"""Functions of a point that change their sign where something may happen."""
+def _determinant(kind: str, point: Point) -> float:
+    """Determinant of a bifurcation's matrix."""
+    return float(np.linalg.det(SINGULAR[kind](point.gait.jacobian)))
+
+
 _STABILITY_CHANGES: Mapping[tuple[str, ...], tuple[int, ...]] = {
     (): (0,),
     (FOLD,): (1,),
@@ -170,8 +162,13 @@ def _unstable_in_pairs(point: Point) -> int:
     return int(np.count_nonzero(np.abs(values[values.imag != 0.0]) > 1.0))
 
 
+def _test(kind: str, point: Point) -> float:
+    """Function of a point that changes its sign where something may happen."""
+    return float(point.tangent[-1]) if kind == FOLD else _determinant(kind, point)
+
+
 def _changes(before: Point, after: Point) -> tuple[str, ...]:
-    return tuple(kind for kind, test in _TESTS.items() if (test(before) > 0.0) != (test(after) > 0.0))
+    return tuple(kind for kind in SINGULAR if (_test(kind, before) > 0.0) != (_test(kind, after) > 0.0))
 
 
 def _is_simple(before: Point, after: Point) -> bool:
@@ -200,7 +197,7 @@ def _account(before: Point, after: Point) -> str:
 def _bifurcations(problem: BranchProblem, before: Point, after: Point) -> Iterator[Special]:
     """Bifurcations at sign changes of test functions; a neutral saddle is none."""
     for kind in _changes(before, after):
-        point = _zero(problem, before, after, _TESTS[kind])
+        point = _zero(problem, before, after, kind)
         if is_there(kind, point.gait.eigenvalues):
             around = problem.value(before), problem.value(after)
             yield Special(kind, problem.value(point), point.gait, around)
@@ -215,7 +212,7 @@ def is_there(kind: str, eigenvalues: NDArray[Any]) -> bool:
     return bool(np.min(np.abs(eigenvalues - (1.0 if kind == FOLD else -1.0))) < ON_CIRCLE)
 
 
-def _zero(problem: BranchProblem, before: Point, after: Point, test: Callable[[Point], float]) -> Point:
+def _zero(problem: BranchProblem, before: Point, after: Point, kind: str) -> Point:
     """The zero of a test function between two points of a branch."""
     from scipy.optimize import brentq  # slow to load
 
@@ -224,7 +221,7 @@ def _zero(problem: BranchProblem, before: Point, after: Point, test: Callable[[P
     def test_at(share: float) -> float:
         if share not in found:
             found[share] = problem.between(before, after, share)
-        return test(found[share])
+        return _test(kind, found[share])
 
     try:
         return found[brentq(test_at, 0.0, 1.0, xtol=LOCATED, maxiter=MAX_LOOKS)]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from concurrent.futures import Executor
 from functools import partial
 from itertools import pairwise, product
@@ -255,21 +255,17 @@ def _blank(runner: Runner, axes: Mapping[str, NDArray[np.float64]], along: str) 
 
 def _borders_dataset(runner: Runner, data: xarray.Dataset, along: str) -> xarray.Dataset:
     """Borders of all rows, row by row."""
-    rows = list(_borders_by_row(data["borders"]))
-    names = [*map(str, data["word"].dims)]
-    columns: dict[str, Any] = {
-        name: ("border", np.array([where.get(name, value) for where, (value, _, _) in rows], float))
-        for name in names
-    }
-    for number, name in ((1, "before"), (2, "after")):
-        columns[name] = "border", np.array([border[number] for _, border in rows], dtype=object)
-    return dataset("borders", runner.record(*names), columns, {}, along=along)
-
-
-def _borders_by_row(texts: xarray.DataArray) -> Iterator[tuple[dict[str, float], Any]]:
+    names, texts = [*map(str, data["word"].dims)], data["borders"]
+    rows: list[dict[str, Any]] = []
     for place in np.ndindex(texts.shape):
         where = {str(name): float(texts[name][k]) for name, k in zip(texts.dims, place, strict=True)}
-        yield from ((where, border) for border in json.loads(str(texts.values[place]) or "[]"))
+        for value, before, after in json.loads(str(texts.values[place]) or "[]"):
+            rows.append({**where, along: value, "before": before, "after": after})
+    columns: dict[str, Any] = {
+        name: ("border", np.array([row[name] for row in rows], float if name in names else object))
+        for name in (*names, "before", "after")
+    }
+    return dataset("borders", runner.record(*names), columns, {}, along=along)
 
 
 def columns_of_row(along: str, values: Values, runner: Runner) -> dict[str, Any]:
