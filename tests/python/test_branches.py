@@ -296,7 +296,7 @@ def test_a_sweep_over_any_parameter_alone(command, tmp_path):
     assert json.loads(out)["gaits"] == printed["gaits"]
     for wrong, said in (
         (("--friction", "0.4:0.5:2", "--set", "ground.friction=0.6"), "--friction says"),
-        (("--vary", "ground.friction=0.4:0.5:2", "--friction", "0.6"), "--friction gives it, too"),
+        (("--vary", "ground.friction=0.4:0.5:2", "--friction", "0.6"), "--friction says"),
         ((), "neither --friction nor --vary"),
     ):
         status, out, complaint = command("sweep", *wrong)
