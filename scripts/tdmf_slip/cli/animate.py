@@ -39,7 +39,9 @@ def animate_command(asked: Asked, path: Path, from_gait: str | None, frames: int
         gait = periodic_gait(asked.runner())
     else:
         if asked.given or asked.parameters is not None:
-            raise InputError("--from-gait: says what the runner is; allowed: it, or other options for that")
+            raise InputError(
+                "--from-gait gives the whole runner; allowed: no other option that describes one"
+            )
         runner = Runner(read_gait(from_gait))
         gait = periodic_gait(runner, guess=runner.start_apex())
     with progress_bar("animate", frames, "frames", True) as bar:

@@ -85,7 +85,7 @@ def values_given(friction: Given | None, settings: Sequence[str]) -> dict[str, t
     given: dict[str, tuple[str, Given]] = {} if friction is None else {FRICTION: ("--friction", friction)}
     for name, value in pairs_given(settings, "--set", "NAME=VALUE").items():
         if name in given:
-            raise InputError(f"--set {name}={value}: --friction gives {name}, too; allowed: one of the two")
+            raise InputError(f"--set {name}={value} and --friction both give {name}; allowed: one of the two")
         given[name] = "--set", value
     return given
 
@@ -108,8 +108,8 @@ def file_values(parameters: str | None, variables: Variables = VARIABLES) -> dic
 
 
 def refuse_given(given: Mapping[str, tuple[str, Given]], name: str, by: str) -> None:
-    """Refuse a start value for what another option says already."""
+    """Refuse a start value of a variable that another option gives."""
     if name in given:
         option = given[name][0]
         shown = option if option == "--friction" else f"{option} {name}"
-        raise InputError(f"{shown}: {by} says what {name} is; allowed: one of the two")
+        raise InputError(f"{shown} and {by} both give {name}; allowed: one of the two")

@@ -83,7 +83,7 @@ def simulate_command(
             refuse_resumable(output)
     fmu = load_fmu()
     if asked.parameters is not None and from_gait is not None:
-        raise InputError("--parameters: --from-gait says what the parameters are; allowed: one of the two")
+        raise InputError("--parameters and --from-gait both give the runner; allowed: one of the two")
     base = file_values(asked.parameters, fmu.variables)
     if from_gait is not None:
         base = fmu.variables.start_values(read_gait(from_gait), f"--from-gait {from_gait}")

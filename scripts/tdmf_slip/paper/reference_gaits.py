@@ -1,6 +1,8 @@
-"""The recorded reference gaits of both readings of (12), and how far a computed gait is from them."""
+"""Reference values that were computed once, independently of this package, beside those computed now."""
 
 import json
+import math
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
@@ -11,9 +13,12 @@ from ..library.gait import REPORTED
 from ..library.runner import Runner
 from ..library.section import COORDINATES
 from .claims import CLAMP, FREE
+from .evidence import ClassicEvidence, Evidence
 from .settling import SettledRun
 
 PATH = Path(__file__).with_suffix(".json")
+BORDER_TOLERANCE, EIGENVALUE_TOLERANCE = 5e-9, 1e-8
+"""Largest deviations of a border's friction, and of an eigenvalue."""
 QUANTITY_TOLERANCE = 1e-6
 """Largest relative deviation of a stride's quantities."""
 APEX_TOLERANCE = 1e-5
@@ -46,13 +51,20 @@ class Drift:
 
 
 @cache
+def recorded() -> Mapping[str, Any]:
+    """All recorded values, by table."""
+    tables: Mapping[str, Any] = json.loads(PATH.read_text(encoding="utf-8"))
+    return tables
+
+
+@cache
 def gaits() -> tuple[SimpleNamespace, ...]:
     """Gaits of Table 1's runner in both readings, as recorded.
 
     Each has `friction`, `swing_clamp`, `word`, the quantities of `REPORTED`, `liftoff_angle`, `apex` and
     `events`; those with the clamp have `clamp_release`, the time at which the clamp of (12) opens.
     """
-    return tuple(SimpleNamespace(**gait) for gait in json.loads(PATH.read_text(encoding="utf-8"))["gaits"])
+    return tuple(SimpleNamespace(**gait) for gait in recorded()["gaits"])
 
 
 def drifts(run: SettledRun, reference: SimpleNamespace) -> list[Drift]:
@@ -68,3 +80,30 @@ def drifts(run: SettledRun, reference: SimpleNamespace) -> list[Drift]:
     for name, computed, wanted, scale in zip(COORDINATES, run.apex, reference.apex, scales, strict=True):
         found.append((f"apex {name}", computed, wanted, abs(computed - wanted) / scale, APEX_TOLERANCE))
     return [Drift(mu, what, now, then, off, allowed, reading) for what, now, then, off, allowed in found]
+
+
+def sweep_drifts(reading: str, evidence: Evidence) -> list[Drift]:
+    """Borders between words, and the largest eigenvalue at friction 10, beside the recorded ones."""
+    found = {(border.before, border.after): border.value for border in evidence.sweep.borders}
+    rows = [
+        (f"border {before} to {after}", found.get((before, after), math.nan), friction, BORDER_TOLERANCE)
+        for of, before, after, friction in (row.values() for row in recorded()["borders"])
+        if of == reading
+    ]
+    largest = evidence.sweep.gaits[0].lambda_max, recorded()["lambda_max_at_friction_10"][reading]
+    rows.append(("lambda_max at mu = 10", *largest, EIGENVALUE_TOLERANCE))
+    return [_drift(*row, reading) for row in rows]
+
+
+def classic_drifts(evidence: ClassicEvidence) -> list[Drift]:
+    """Gaits of the classic SLIP beside the recorded ones."""
+    known, fold = recorded()["classic_slip"], math.degrees(evidence.fold.angle)
+    return [
+        _drift("SLIP apex at 40°", evidence.stable.height, known["apex_at_40_degrees"], 1e-5),
+        _drift("SLIP slope at 40°", evidence.stable.slope, known["slope_at_40_degrees"], 1e-4),
+        _drift("SLIP fold", fold, known["fold_degrees"], 5e-3),
+    ]
+
+
+def _drift(what: str, now: float, then: float, allowed: float, reading: str = "") -> Drift:
+    return Drift(math.nan, what, now, then, abs(now - then), allowed, reading)

@@ -13,7 +13,7 @@ from ..terminal.progress import progress_bar
 from ..terminal.text import table
 from ..variables.parameters import read_parameters
 from ..variables.table import FRICTION
-from . import guinea_fowl, human_running, published, recorded
+from . import guinea_fowl, human_running, published
 from . import reference_gaits as reference
 from .claims import PAPER, READINGS, WORDS, Claim, Group, of_group
 from .evidence import gather, gather_classic
@@ -224,11 +224,11 @@ def validate(
     evidence = {reading: gather(Runner(given), progress) for reading, given in runners.items()}
     classic = gather_classic()
     for reading, of_reading in evidence.items():
-        drifts += recorded.drifts(reading, of_reading)
+        drifts += reference.sweep_drifts(reading, of_reading)
     return Validation(
         gaits=gaits,
         claims=published.claims(evidence, classic),
-        drifts=[*drifts, *recorded.classic_drifts(classic)],
+        drifts=[*drifts, *reference.classic_drifts(classic)],
         others=[*guinea_fowl.claims(guinea_fowl.fall_map()), *human_running.claims()],
         own=own_claims(seed=seed, progress=progress) if own else OwnClaims(seed, ()),
     )
