@@ -295,8 +295,8 @@ def test_a_sweep_over_any_parameter_alone(command, tmp_path):
     status, out, _ = command(*over, "--set", "ground.friction=0.43", "--json")
     assert json.loads(out)["gaits"] == printed["gaits"]
     for wrong, said in (
-        (("--friction", "0.4:0.5:2", "--set", "ground.friction=0.6"), "--friction says"),
-        (("--vary", "ground.friction=0.4:0.5:2", "--friction", "0.6"), "--friction says"),
+        (("--friction", "0.4:0.5:2", "--set", "ground.friction=0.6"), "--friction both give"),
+        (("--vary", "ground.friction=0.4:0.5:2", "--friction", "0.6"), "--friction both give"),
         ((), "neither --friction nor --vary"),
     ):
         status, out, complaint = command("sweep", *wrong)
