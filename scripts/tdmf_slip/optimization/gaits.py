@@ -14,6 +14,7 @@ The distance from a fold is measured by det(I - J)^2, which goes to zero there l
 parameters.
 """
 
+import contextlib
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import product
@@ -271,32 +272,23 @@ class Gaits:
 
             return _jacobian_variation(gait, stride)
 
-        axes, variations, left = np.eye(len(at)), {}, []
-        for k, axis in enumerate(axes):
-            try:
-                variations[k] = along(axis)
-            except RunError:
-                left.append(k)
-        for k in left:
-            variations[k] = self._between(
-                along, axes, k, {j: variations[j] for j in variations if j not in left}
-            )
-        return [variations[k] for k in range(len(at))]
+        directions: list[NDArray[np.float64]] = []
+        variations: list[NDArray[np.float64]] = []
 
-    def _between(
-        self,
-        along: Callable[[NDArray[np.float64]], NDArray[np.float64]],
-        axes: NDArray[np.float64],
-        number: int,
-        known: Mapping[int, NDArray[np.float64]],
-    ) -> NDArray[np.float64]:
-        """The change by a parameter, from that in a direction between it and another."""
-        for (other, variation), slant in product(known.items(), SLANTS):
-            try:
-                return along(axes[number] + slant * axes[other]) - slant * variation
-            except RunError:
-                continue
-        raise RunError(ON_EDGE)
+        def add(direction: NDArray[np.float64]) -> None:
+            if np.linalg.matrix_rank([*directions, direction]) > len(directions):
+                with contextlib.suppress(RunError):
+                    variations.append(along(direction))
+                    directions.append(direction)
+
+        axes = np.eye(len(at))
+        for axis in axes:
+            add(axis)
+        for axis, (known, slant) in product(axes, product([*directions], SLANTS)):
+            add(axis + slant * known)
+        if len(directions) < len(axes):
+            raise RunError(ON_EDGE)
+        return list(np.tensordot(np.linalg.inv(directions), variations, axes=1))
 
     def gait_from(self, near: Candidate, at: NDArray[np.float64]) -> Gait:
         """The gait at a point, from one that is known, on the same branch.

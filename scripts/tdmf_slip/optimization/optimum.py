@@ -4,21 +4,16 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from ..library.gait import Gait
-from ..library.quantities import known_quantities, quantities_of
+from ..library.quantities import known_quantities, quantities_of, unit_of
 from ..record import entries, origin_of
 
 FOLD, STABILITY = "fold", "stability"
 """Limits of an optimum other than bounds."""
-NEVER_NEGATIVE = {
-    "slip_distance": "m",
-    "greatest_slip_velocity": "m/s",
-    "friction_loss": "J",
-    "positive_hip_work": "J",
-    "positive_leg_work": "J",
-    "positive_work": "J",
-    "positive_cost_of_transport": "1",
-}
-"""Quantities that are never negative, with their units."""
+NEVER_NEGATIVE = (
+    *("slip_distance", "greatest_slip_velocity", "friction_loss", "positive_hip_work"),
+    *("positive_leg_work", "positive_work", "positive_cost_of_transport"),
+)
+"""Quantities that are never negative."""
 NONE = 1e-9
 """Values below this, relative to the runner's scale, count as zero."""
 
@@ -76,7 +71,8 @@ class Optimum:
         """
         if not self.is_minimum or self.objective not in NEVER_NEGATIVE:
             return True
-        return self.value > NONE * self.gait.runner.scale_of(NEVER_NEGATIVE[self.objective])
+        runner = self.gait.runner
+        return self.value > NONE * runner.scale_of(unit_of(self.objective, runner.model))
 
     @property
     def value(self) -> float:
