@@ -9,7 +9,7 @@ install(FILES gait/page.c gait/page_batch.c gait/page_map.h DESTINATION tdmf_sli
 set(engine affine_law.c ensemble.c member.c member.h normal_deviates.c page_member.c philox.c philox.h request_checks.c
     request_checks.h settled.c settled.h)
 list(TRANSFORM engine PREPEND ensemble/)
-install(FILES ${engine} solver/stride_limits.h DESTINATION tdmf_slip/ensemble COMPONENT unit EXCLUDE_FROM_ALL)
+install(FILES ${engine} model/refusal.c model/refusal.h solver/stride_limits.h DESTINATION tdmf_slip/ensemble COMPONENT unit EXCLUDE_FROM_ALL)
 install(FILES ${declarations} DESTINATION tdmf_slip/library COMPONENT unit EXCLUDE_FROM_ALL)
 install(FILES derived/unit/data.py DESTINATION tdmf_slip/variables COMPONENT unit EXCLUDE_FROM_ALL)
 

@@ -171,25 +171,24 @@ static int64_t smaller(int64_t a, int64_t b) {
     return a < b ? a : b;
 }
 
-bool tdmf_run_ensemble(const tdmf_ensemble *ensemble, tdmf_ensemble_end *ends, tdmf_ensemble_work *work) {
+tdmf_refusal tdmf_run_ensemble(const tdmf_ensemble *ensemble, tdmf_ensemble_end *ends,
+                               tdmf_ensemble_work *work) {
+    tdmf_refusal why = {.code = TDMF_ACCEPTED};
     const tdmf_ensemble_work none = {0};
     tdmf_ensemble_work sum = none;
     int64_t of_page[2] = {0, 0};
-    if (!tdmf_is_sound_ensemble(ensemble, ends)) {
-        return false;
+    if (!tdmf_is_sound_ensemble(&why, ensemble, ends)) {
+        return why;
     }
     const int64_t count = ensemble->count;
     bool *is_plain = calloc((size_t)count + 1, sizeof *is_plain);
-    if (!is_plain) {
-        return false;
-    }
-    for (int64_t i = 0; i < count; ++i) {
+    bool is_done = is_plain != NULL;
+    for (int64_t i = 0; is_done && i < count; ++i) {
         is_plain[i] = tdmf_kind_of(ensemble)->is_plain(ensemble, i);
         ++of_page[is_plain[i]];
     }
     page_job jobs[2] = {{ensemble, ends, is_plain, false, 0, NULL, {0}},
                         {ensemble, ends, is_plain, true, 0, NULL, {0}}};
-    bool is_done = true;
     for (int i = 0; i < 2; ++i) {
         is_done = is_done && (of_page[i] == 0 || run_on_page(&jobs[i], of_page[i], &sum));
         sum.begun = jobs[i].next > sum.begun ? jobs[i].next : sum.begun;
@@ -204,5 +203,6 @@ bool tdmf_run_ensemble(const tdmf_ensemble *ensemble, tdmf_ensemble_end *ends, t
         *work = sum;
     }
     free(is_plain);
-    return is_done;
+    tdmf_accepts_if(&why, is_done, TDMF_UNAVAILABLE, "memory", 0, "there is not enough");
+    return why;
 }

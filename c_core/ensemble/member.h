@@ -34,8 +34,9 @@ typedef struct {
 /* What differs between the runner and the models of other pages. */
 struct tdmf_member_kind {
     /* ---- requests */
-    bool (*is_sound)(const tdmf_ensemble *ensemble); /* the model; before anything else is asked */
-    bool (*is_case)(const tdmf_ensemble_case *its_case, const tdmf_ensemble *ensemble);
+    bool (*is_sound)(tdmf_refusal *why,
+                     const tdmf_ensemble *ensemble); /* the model; before anything else is asked */
+    bool (*is_case)(tdmf_refusal *why, const tdmf_ensemble_case *its_case, const tdmf_ensemble *ensemble);
     bool (*is_checkpoint)(const tdmf_ensemble_checkpoint *from, const tdmf_ensemble *ensemble);
     bool (*range)(const tdmf_ensemble *ensemble, int setting, double *least, double *most);
     int (*coordinates)(const tdmf_ensemble *ensemble);

@@ -2,7 +2,9 @@
  * and the next stride begins anew at that point, with the numbers of the case. */
 #include "member.h"
 #include "page_map.h"
+#include "refusal.h"
 
+#include <limits.h>
 #include <math.h>
 #include <string.h>
 
@@ -19,23 +21,36 @@ static const tdmf_section_kind *section_of(const tdmf_ensemble *ensemble) {
 
 /* ---- requests ------------------------------------------------------------------------------------------ */
 
-static bool is_sound(const tdmf_ensemble *ensemble) {
-    const tdmf_model_kind *model = model_of(ensemble);
-    const tdmf_ensemble_notes *notes = ensemble->notes;
-    bool is_noted = !notes || (notes->count >= 0 && (notes->count == 0 || (notes->states && notes->values)) &&
-                               notes->event_room >= 0 && (notes->event_room == 0 || notes->events));
-    for (int i = 0; is_noted && notes && i < notes->count; ++i) {
-        is_noted = notes->states[i] >= 0 && notes->states[i] < model->state_count;
+static bool are_notes(tdmf_refusal *why, const tdmf_ensemble_notes *notes, int state_count) {
+    if (!tdmf_accepts_array(why, "notes.states", notes->states, "notes.count", notes->count, INT_MAX) ||
+        !tdmf_accepts_array(why, "notes.values", notes->values, "notes.count", notes->count, INT_MAX) ||
+        !tdmf_accepts_array(why, "notes.events", notes->events, "notes.event_room", notes->event_room,
+                            INT_MAX)) {
+        return false;
     }
-    return is_noted && ensemble->section >= 0 && ensemble->section < model->section_count &&
-           !ensemble->foot_x;
+    for (int i = 0; i < notes->count; ++i) {
+        if (!tdmf_accepts_element(why, "notes.states[]", i, notes->states[i], 0.0, state_count - 1)) {
+            return false;
+        }
+    }
+    return true;
 }
 
-static bool is_case(const tdmf_ensemble_case *its_case, const tdmf_ensemble *ensemble) {
+static bool is_sound(tdmf_refusal *why, const tdmf_ensemble *ensemble) {
+    const tdmf_model_kind *model = model_of(ensemble);
+    return (!ensemble->notes || are_notes(why, ensemble->notes, model->state_count)) &&
+           tdmf_accepts_number(why, "section", "1", ensemble->section, 0.0, model->section_count - 1) &&
+           tdmf_accepts_if(why, !ensemble->foot_x, TDMF_EXCLUDED, "foot_x", 0, "a page has no foot");
+}
+
+static bool is_case(tdmf_refusal *why, const tdmf_ensemble_case *its_case, const tdmf_ensemble *ensemble) {
     const tdmf_ensemble_rules *rules = &its_case->rules;
     (void)ensemble;
-    return its_case->parameters && its_case->states && rules->roughness == 0.0 &&
-           rules->friction_spread == 0.0 && rules->terrain.length == 0.0;
+    return tdmf_accepts_pointer(why, "cases[].parameters", its_case->parameters) &&
+           tdmf_accepts_pointer(why, "cases[].states", its_case->states) &&
+           tdmf_accepts_if(
+               why, rules->roughness == 0.0 && rules->friction_spread == 0.0 && rules->terrain.length == 0.0,
+               TDMF_EXCLUDED, "cases[].rules.roughness", 0, "a page has no drawn ground and no terrain");
 }
 
 static bool is_checkpoint(const tdmf_ensemble_checkpoint *from, const tdmf_ensemble *ensemble) {

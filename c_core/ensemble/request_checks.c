@@ -1,16 +1,16 @@
-/* What a request has to be, whatever its model. */
+/* What a request has to be, whatever its model. Names with "[]" take the number of a case, of a runner or of
+ * an element. */
 #include "request_checks.h"
 
 #include "member.h"
 
+#include <float.h>
+#include <limits.h>
 #include <math.h>
+#include <string.h>
 
 /* Beyond this, sums of products would not be finite. */
 static const double largest = 1e100;
-
-static bool is_moderate(double value) {
-    return fabs(value) <= largest; /* NaN is not */
-}
 
 bool tdmf_has_setting(const int *settings, int count, int setting) {
     for (int i = 0; i < count; ++i) {
@@ -21,25 +21,24 @@ bool tdmf_has_setting(const int *settings, int count, int setting) {
     return false;
 }
 
-/* An array of no elements may be absent. */
-bool tdmf_is_array(const void *elements, int64_t count) {
-    return count == 0 || (count > 0 && elements != NULL);
+static bool has_value(tdmf_refusal *why, const char *name, int64_t index, const tdmf_ensemble *ensemble,
+                      int setting, double value) {
+    double least = 0.0, most = 0.0;
+    tdmf_kind_of(ensemble)->range(ensemble, setting, &least, &most);
+    return tdmf_accepts_element(why, name, index, value, fmax(least, -DBL_MAX), fmin(most, DBL_MAX));
 }
 
-static bool has_value(const tdmf_ensemble *ensemble, int setting, double value) {
+static bool are_settings(tdmf_refusal *why, const char *name, const int *settings, int count,
+                         const tdmf_ensemble *ensemble) {
     double least, most;
-    return tdmf_kind_of(ensemble)->range(ensemble, setting, &least, &most) && value >= least &&
-           value <= most && isfinite(value);
-}
-
-static bool are_settings(const int *settings, int count, const tdmf_ensemble *ensemble) {
-    double least, most;
-    if (!tdmf_is_array(settings, count) || count > TDMF_SETTING_LIMIT) {
+    if (!tdmf_accepts_array(why, name, settings, name, count, TDMF_SETTING_LIMIT)) {
         return false;
     }
     for (int i = 0; i < count; ++i) {
-        if (!tdmf_kind_of(ensemble)->range(ensemble, settings[i], &least, &most) ||
-            tdmf_has_setting(settings, i, settings[i])) {
+        const bool is_one = tdmf_kind_of(ensemble)->range(ensemble, settings[i], &least, &most);
+        if (!tdmf_accepts_if(why, is_one, TDMF_EXCLUDED, name, 0, "there is no such setting") ||
+            !tdmf_accepts_if(why, !tdmf_has_setting(settings, i, settings[i]), TDMF_EXCLUDED, name, 0,
+                             "a setting is set twice")) {
             return false;
         }
     }
@@ -47,16 +46,15 @@ static bool are_settings(const int *settings, int count, const tdmf_ensemble *en
 }
 
 /* Coordinates that are measured: the others have neither gain nor noise. */
-static bool measures(const tdmf_affine_law *law, int coordinates) {
+static bool measures(tdmf_refusal *why, const tdmf_affine_law *law, int coordinates) {
     for (int j = 0; j < TDMF_POINT_LIMIT; ++j) {
-        const double noise = law->noise[j];
-        if (!is_moderate(law->apex[j]) || !(noise >= 0.0 && noise <= largest) ||
-            (j >= coordinates && noise != 0.0)) {
+        const double most = j < coordinates ? largest : 0.0;
+        if (!tdmf_accepts_element(why, "cases[].rules.law.apex", 0, law->apex[j], -largest, largest) ||
+            !tdmf_accepts_element(why, "cases[].rules.law.noise", 0, law->noise[j], 0.0, most)) {
             return false;
         }
         for (int i = 0; i < law->count; ++i) {
-            const double gain = law->gain[i][j];
-            if (!is_moderate(gain) || (j >= coordinates && gain != 0.0)) {
+            if (!tdmf_accepts_element(why, "cases[].rules.law.gain", 0, law->gain[i][j], 0.0 - most, most)) {
                 return false;
             }
         }
@@ -64,118 +62,163 @@ static bool measures(const tdmf_affine_law *law, int coordinates) {
     return true;
 }
 
-static bool has_limits(const tdmf_affine_law *law, const tdmf_ensemble *ensemble) {
+static bool has_limits(tdmf_refusal *why, const tdmf_affine_law *law, const tdmf_ensemble *ensemble) {
     for (int i = 0; i < law->count; ++i) {
+        const double low = law->low[i], high = law->high[i];
         const int setting = law->settings[i];
-        if (!is_moderate(law->nominal[i]) || !has_value(ensemble, setting, law->low[i]) ||
-            !has_value(ensemble, setting, law->high[i]) || law->low[i] > law->high[i]) {
+        if (!tdmf_accepts_element(why, "cases[].rules.law.nominal", 0, law->nominal[i], -largest, largest) ||
+            !has_value(why, "cases[].rules.law.low", 0, ensemble, setting, low) ||
+            !has_value(why, "cases[].rules.law.high", 0, ensemble, setting, high) ||
+            !tdmf_accepts_element(why, "cases[].rules.law.high", 0, high, low, largest)) {
             return false;
         }
     }
     return true;
 }
 
-static bool is_law(const tdmf_affine_law *law, const tdmf_ensemble *ensemble) {
+static bool is_law(tdmf_refusal *why, const tdmf_affine_law *law, const tdmf_ensemble *ensemble) {
     const tdmf_given_settings *given = ensemble->given;
-    if (!are_settings(law->settings, law->count, ensemble) || !tdmf_is_array(law->nominal, law->count) ||
-        !tdmf_is_array(law->gain, law->count) || !tdmf_is_array(law->low, law->count) ||
-        !tdmf_is_array(law->high, law->count) ||
-        !measures(law, tdmf_kind_of(ensemble)->coordinates(ensemble)) || !has_limits(law, ensemble)) {
+    const int coordinates = tdmf_kind_of(ensemble)->coordinates(ensemble);
+    const struct {
+        const char *name;
+        const void *values;
+    } arrays[] = {{"cases[].rules.law.nominal", law->nominal},
+                  {"cases[].rules.law.gain", law->gain},
+                  {"cases[].rules.law.low", law->low},
+                  {"cases[].rules.law.high", law->high}};
+    if (!are_settings(why, "cases[].rules.law.settings", law->settings, law->count, ensemble)) {
         return false;
+    }
+    for (size_t i = 0; law->count > 0 && i < sizeof arrays / sizeof arrays[0]; ++i) {
+        if (!tdmf_accepts_pointer(why, arrays[i].name, arrays[i].values)) {
+            return false;
+        }
     }
     for (int i = 0; given != NULL && i < given->count; ++i) {
-        if (tdmf_has_setting(law->settings, law->count, given->settings[i])) {
+        const bool is_given = tdmf_has_setting(law->settings, law->count, given->settings[i]);
+        if (!tdmf_accepts_if(why, !is_given, TDMF_EXCLUDED, "cases[].rules.law.settings", 0,
+                             "a setting of the law is also given")) {
+            return false;
+        }
+    }
+    return measures(why, law, coordinates) && has_limits(why, law, ensemble);
+}
+
+static bool are_given(tdmf_refusal *why, const tdmf_ensemble *ensemble) {
+    const tdmf_given_settings *given = ensemble->given;
+    if (!are_settings(why, "given.settings", given->settings, given->count, ensemble) ||
+        !tdmf_accepts_number(why, "given.first", "1", given->first, 0.0, INT_MAX) ||
+        !tdmf_accepts_number(why, "given.strides", "1", given->strides, 1.0, INT_MAX) ||
+        !tdmf_accepts_array(why, "given.values", given->values, "given.count", given->count * ensemble->count,
+                            INT64_MAX)) {
+        return false;
+    }
+    const int64_t values = ensemble->count * given->strides * given->count;
+    for (int64_t i = 0; i < values; ++i) {
+        const int setting = given->settings[i % given->count];
+        if (!has_value(why, "given.values[]", i, ensemble, setting, given->values[i])) {
             return false;
         }
     }
     return true;
 }
 
-static bool are_given(const tdmf_ensemble *ensemble) {
-    const tdmf_given_settings *given = ensemble->given;
-    const int64_t runners = ensemble->count;
-    if (!are_settings(given->settings, given->count, ensemble) || given->first < 0 || given->strides <= 0 ||
-        !tdmf_is_array(given->values, given->count * runners)) {
-        return false;
-    }
-    for (int64_t row = 0; row < runners * given->strides; ++row) {
-        for (int i = 0; i < given->count; ++i) {
-            if (!has_value(ensemble, given->settings[i], given->values[row * given->count + i])) {
-                return false;
-            }
-        }
-    }
-    return true;
-}
-
-bool tdmf_are_weights(const double *weights, int count) {
-    if (!tdmf_is_array(weights, count)) {
+bool tdmf_are_weights(tdmf_refusal *why, const char *name, const double *weights, int count) {
+    if (!tdmf_accepts_array(why, name, weights, name, count, INT_MAX)) {
         return false;
     }
     for (int i = 0; i < count; ++i) {
-        if (!is_moderate(weights[i])) {
+        if (!tdmf_accepts_element(why, name, i, weights[i], -largest, largest)) {
             return false;
         }
     }
     return true;
 }
 
-static bool are_balls(const tdmf_ball *balls, int count) {
+static bool are_balls(tdmf_refusal *why, const tdmf_ball *balls, int count) {
     for (int gait = 0; balls && gait < count; ++gait) {
-        for (int i = 0; i < TDMF_POINT_LIMIT; ++i) {
-            for (int j = 0; j < TDMF_POINT_LIMIT; ++j) {
-                if (!is_moderate(balls[gait].matrix[i][j])) {
-                    return false;
-                }
+        const double *matrix = &balls[gait].matrix[0][0];
+        for (int i = 0; i < TDMF_POINT_LIMIT * TDMF_POINT_LIMIT; ++i) {
+            if (!tdmf_accepts_element(why, "rules.balls[].matrix", gait, matrix[i], -largest, largest)) {
+                return false;
             }
         }
     }
     return true;
 }
 
-static bool is_case(const tdmf_ensemble_case *its_case, const tdmf_ensemble *ensemble) {
+static bool is_case(tdmf_refusal *why, const tdmf_ensemble *ensemble, int number) {
+    const tdmf_ensemble_case *its_case = &ensemble->cases[number];
     const tdmf_ensemble_rules *rules = &its_case->rules;
-    return tdmf_kind_of(ensemble)->is_case(its_case, ensemble) &&
-           tdmf_is_array(rules->gaits, rules->gait_count) && are_balls(rules->balls, rules->gait_count) &&
-           (rules->law == NULL || is_law(rules->law, ensemble));
+    const bool is_accepted = tdmf_kind_of(ensemble)->is_case(why, its_case, ensemble) &&
+                             tdmf_accepts_array(why, "cases[].rules.gaits", rules->gaits,
+                                                "cases[].rules.gait_count", rules->gait_count, INT_MAX) &&
+                             are_balls(why, rules->balls, rules->gait_count) &&
+                             (rules->law == NULL || is_law(why, rules->law, ensemble));
+    if (!is_accepted && strncmp(why->variable, "cases[]", strlen("cases[]")) == 0) {
+        why->index = number;
+    }
+    return is_accepted;
 }
 
-static bool has_cases(const tdmf_ensemble *ensemble) {
+static bool has_cases(tdmf_refusal *why, const tdmf_ensemble *ensemble) {
+    const double last = (double)ensemble->case_count - 1.0;
+    if (!tdmf_accepts_number(why, "case_count", "1", ensemble->case_count, ensemble->count > 0, INT_MAX)) {
+        return false;
+    }
     for (int64_t i = 0; ensemble->case_of && i < ensemble->count; ++i) {
-        if (ensemble->case_of[i] < 0 || ensemble->case_of[i] >= ensemble->case_count) {
+        if (!tdmf_accepts_element(why, "case_of[]", i, ensemble->case_of[i], 0.0, last)) {
             return false;
         }
     }
     for (int i = 0; i < ensemble->case_count; ++i) {
-        if (!is_case(&ensemble->cases[i], ensemble)) {
-            return false;
-        }
-    }
-    return ensemble->count == 0 || ensemble->case_count > 0;
-}
-
-/* Where strides are noted, and what runners go on from. */
-static bool has_room(const tdmf_ensemble *ensemble) {
-    return ensemble->strides == NULL || (ensemble->first_stride >= 0 && ensemble->stride_count >= 0);
-}
-
-static bool has_checkpoints(const tdmf_ensemble *ensemble) {
-    for (int64_t i = 0; ensemble->goes_on && i < ensemble->count; ++i) {
-        if (ensemble->checkpoints == NULL ||
-            (ensemble->checkpoints[i].stands &&
-             !tdmf_kind_of(ensemble)->is_checkpoint(&ensemble->checkpoints[i], ensemble))) {
+        if (!is_case(why, ensemble, i)) {
             return false;
         }
     }
     return true;
 }
 
-bool tdmf_is_sound_ensemble(const tdmf_ensemble *ensemble, const tdmf_ensemble_end *ends) {
-    return ensemble != NULL && tdmf_kind_of(ensemble) && tdmf_kind_of(ensemble)->is_sound(ensemble) &&
-           tdmf_is_array(ends, ensemble->count) && tdmf_is_array(ensemble->starts, ensemble->count) &&
-           tdmf_is_array(ensemble->cases, ensemble->case_count) && ensemble->threads > 0 &&
-           ensemble->step_limit >= 0 && ensemble->relative_tolerance > 0.0 &&
-           ensemble->relative_tolerance < 1.0 && tdmf_has_instructions(ensemble->instructions) &&
-           (ensemble->given == NULL || are_given(ensemble)) && has_cases(ensemble) && has_room(ensemble) &&
-           has_checkpoints(ensemble);
+/* Where strides are noted, and what runners go on from. */
+static bool has_room(tdmf_refusal *why, const tdmf_ensemble *ensemble) {
+    return ensemble->strides == NULL ||
+           (tdmf_accepts_number(why, "first_stride", "1", ensemble->first_stride, 0.0, INT_MAX) &&
+            tdmf_accepts_number(why, "stride_count", "1", ensemble->stride_count, 0.0, INT_MAX));
+}
+
+static bool has_checkpoints(tdmf_refusal *why, const tdmf_ensemble *ensemble) {
+    if (ensemble->goes_on && ensemble->count > 0 &&
+        !tdmf_accepts_pointer(why, "checkpoints", ensemble->checkpoints)) {
+        return false;
+    }
+    for (int64_t i = 0; ensemble->goes_on && i < ensemble->count; ++i) {
+        const tdmf_ensemble_checkpoint *from = &ensemble->checkpoints[i];
+        const bool is_sound = !from->stands || tdmf_kind_of(ensemble)->is_checkpoint(from, ensemble);
+        if (!tdmf_accepts_if(why, is_sound, TDMF_EXCLUDED, "checkpoints[].mode", i,
+                             "the model has no such mode")) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static bool is_tolerance(tdmf_refusal *why, double tolerance) {
+    return tdmf_accepts_number(why, "relative_tolerance", "1", tolerance, 1e-300, 1.0 - DBL_EPSILON);
+}
+
+bool tdmf_is_sound_ensemble(tdmf_refusal *why, const tdmf_ensemble *ensemble, const tdmf_ensemble_end *ends) {
+    return tdmf_accepts_pointer(why, "ensemble", ensemble) &&
+           tdmf_accepts_if(why, tdmf_kind_of(ensemble) != NULL, TDMF_UNAVAILABLE, "page", 0,
+                           "this library does not have the model") &&
+           tdmf_kind_of(ensemble)->is_sound(why, ensemble) &&
+           tdmf_accepts_array(why, "ends", ends, "count", ensemble->count, INT64_MAX) &&
+           tdmf_accepts_array(why, "starts", ensemble->starts, "count", ensemble->count, INT64_MAX) &&
+           tdmf_accepts_array(why, "cases", ensemble->cases, "case_count", ensemble->case_count, INT_MAX) &&
+           tdmf_accepts_number(why, "threads", "1", ensemble->threads, 1.0, INT_MAX) &&
+           tdmf_accepts_number(why, "step_limit", "1", (double)ensemble->step_limit, 0.0, (double)LONG_MAX) &&
+           is_tolerance(why, ensemble->relative_tolerance) &&
+           tdmf_accepts_if(why, tdmf_has_instructions(ensemble->instructions), TDMF_UNAVAILABLE,
+                           "instructions", 0, "this processor or this build does not have them") &&
+           (ensemble->given == NULL || are_given(why, ensemble)) && has_cases(why, ensemble) &&
+           has_room(why, ensemble) && has_checkpoints(why, ensemble);
 }

@@ -1,16 +1,14 @@
-/* What a request has to be. */
+/* What a request has to be: checks that say why, as those of refusal.h. */
 #ifndef TDMF_ENSEMBLE_REQUEST_CHECKS_H
 #define TDMF_ENSEMBLE_REQUEST_CHECKS_H
 
+#include "refusal.h"
 #include "tdmf_slip/ensemble.h"
 
-bool tdmf_is_sound_ensemble(const tdmf_ensemble *ensemble, const tdmf_ensemble_end *ends);
+bool tdmf_is_sound_ensemble(tdmf_refusal *why, const tdmf_ensemble *ensemble, const tdmf_ensemble_end *ends);
 
-/* An array of no elements may be absent. */
-bool tdmf_is_array(const void *elements, int64_t count);
-
-/* Whether weights are numbers that sums of products stand. */
-bool tdmf_are_weights(const double *weights, int count);
+/* Weights that sums of products stand. */
+bool tdmf_are_weights(tdmf_refusal *why, const char *name, const double *weights, int count);
 
 /* Whether a setting is among others. */
 bool tdmf_has_setting(const int *settings, int count, int setting);

@@ -55,12 +55,12 @@ void note_strides(crowd *crowd, int count) {
 
 void run_crowd(crowd *crowd, tdmf_instructions instructions) {
     crowd->ensemble.instructions = instructions;
-    assert_true(tdmf_run_ensemble(&crowd->ensemble, crowd->ends, NULL));
+    assert_null(tdmf_run_ensemble(&crowd->ensemble, crowd->ends, NULL).variable);
 }
 
 void assert_crowd_is_refused(crowd *crowd) {
     const tdmf_ensemble_end before = crowd->ends[0];
-    assert_false(tdmf_run_ensemble(&crowd->ensemble, crowd->ends, NULL));
+    assert_non_null(tdmf_run_ensemble(&crowd->ensemble, crowd->ends, NULL).variable);
     assert_memory_equal(&crowd->ends[0], &before, sizeof before);
 }
 

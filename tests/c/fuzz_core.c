@@ -150,7 +150,7 @@ static void run_members(void *self) {
                                     .relative_tolerance = on->solver.relative_tolerance,
                                     .threads = 1,
                                     .instructions = TDMF_BEST_INSTRUCTIONS};
-    if (!tdmf_run_ensemble(&ensemble, ends, NULL)) {
+    if (tdmf_run_ensemble(&ensemble, ends, NULL).code != TDMF_ACCEPTED) {
         die("an ensemble that is sound was not run");
     }
     for (int i = 0; i < MEMBERS; ++i) {

@@ -268,7 +268,7 @@ TEST(neighbours_and_threads_do_not_matter) {
         tdmf_ensemble_end alone;
         one.starts = &crowd->ensemble.starts[i];
         one.case_of = &crowd->case_of[i];
-        assert_true(tdmf_run_ensemble(&one, &alone, NULL));
+        assert_null(tdmf_run_ensemble(&one, &alone, NULL).variable);
         assert_memory_equal(&alone, &together[i], sizeof alone);
         assert_true(alone.strides == 0 || (alone.leg_work != 0.0) == (i % 3 == 0));
     }
@@ -289,7 +289,7 @@ TEST(energy_is_accounted_for_and_work_is_counted) {
     tdmf_ensemble_work work;
     long strides = 0, fallen = 0, closed_none = 0;
     crowd->ensemble.threads = 2;
-    assert_true(tdmf_run_ensemble(&crowd->ensemble, crowd->ends, &work));
+    assert_null(tdmf_run_ensemble(&crowd->ensemble, crowd->ends, &work).variable);
     for (int i = 0; i < RUNNERS; ++i) {
         const tdmf_ensemble_end *end = &crowd->ends[i];
         strides += end->strides;
@@ -379,7 +379,7 @@ TEST(strides_of_a_runner_share_their_steps) {
             tdmf_ensemble_work work;
             crowd->ensemble.step_limit = limit;
             crowd->ensemble.instructions = sets[set];
-            assert_true(tdmf_run_ensemble(&crowd->ensemble, crowd->ends, &work));
+            assert_null(tdmf_run_ensemble(&crowd->ensemble, crowd->ends, &work).variable);
             assert_int_equal(end->fate, TDMF_FATE_UNSOLVED);
             assert_true(end->strides > 1 && end->strides < 400);
             assert_true(work.steps <= limit + (end->strides + 1) * limit / TDMF_STEP_SHARE);
@@ -406,7 +406,7 @@ TEST(each_event_is_met_once) {
         place_runner(crowd, 0, &model.parameters, &inputs,
                      (const double *)&reference_gaits[clamp ? CLAMPED_GAIT : DEFAULT_GAIT].apex);
         crowd->ensemble.instructions = sets[1 + i / 2];
-        assert_true(tdmf_run_ensemble(&crowd->ensemble, crowd->ends, &work));
+        assert_null(tdmf_run_ensemble(&crowd->ensemble, crowd->ends, &work).variable);
         assert_int_equal(work.events, (EVENTS + clamp) * STRIDES);
     }
 }
@@ -419,17 +419,17 @@ TEST(unsound_ensembles_are_refused) {
     tdmf_ensemble bad = crowd->ensemble;
     for (size_t i = 0; i < sizeof tolerances / sizeof tolerances[0]; ++i) {
         bad.relative_tolerance = tolerances[i];
-        assert_false(tdmf_run_ensemble(&bad, &end, NULL));
+        assert_non_null(tdmf_run_ensemble(&bad, &end, NULL).variable);
     }
     bad = crowd->ensemble;
     bad.threads = 0;
-    assert_false(tdmf_run_ensemble(&bad, &end, NULL));
+    assert_non_null(tdmf_run_ensemble(&bad, &end, NULL).variable);
     bad = crowd->ensemble;
     bad.instructions = TDMF_INSTRUCTIONS_COUNT;
-    assert_false(tdmf_run_ensemble(&bad, &end, NULL));
+    assert_non_null(tdmf_run_ensemble(&bad, &end, NULL).variable);
     for (size_t i = 0; i < sizeof no_cases / sizeof no_cases[0]; ++i) {
         crowd->case_of[RUNNERS - 1] = no_cases[i];
-        assert_false(tdmf_run_ensemble(&crowd->ensemble, &end, NULL));
+        assert_non_null(tdmf_run_ensemble(&crowd->ensemble, &end, NULL).variable);
     }
     assert_int_equal(end.strides, 77);
     assert_true(tdmf_has_instructions(TDMF_ONE_BY_ONE));

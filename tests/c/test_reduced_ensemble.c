@@ -146,7 +146,7 @@ TEST(neighbours_and_threads_do_not_matter) {
         one.starts = &crowd->ensemble.starts[i];
         one.case_of = &crowd->case_of[i];
         one.count = 1;
-        assert_true(tdmf_run_ensemble(&one, &alone, NULL));
+        assert_null(tdmf_run_ensemble(&one, &alone, NULL).variable);
         assert_memory_equal(&alone, &together[i], sizeof alone);
     }
 }

@@ -222,6 +222,55 @@ TEST(refusals_name_what_is_null) {
     assert_int_equal(tdmf_setting_of(NULL), -1);
 }
 
+enum { RUNNERS = 3, STRIDES = 2 };
+
+static void assert_says(tdmf_refusal refusal, const char *expected) {
+    char text[160];
+    assert_string_equal(tdmf_refusal_text(&refusal, text, sizeof text), expected);
+}
+
+TEST(refusals_say_what_and_where) {
+    scene s = standing_at_apex();
+    tdmf_seed seed = {.parameters = {.gravity = 0.0}};
+    tdmf_stride_request request = {.solver = &s.solver, .system = SYSTEM_OF(&s), .apex = s.section};
+    tdmf_return made;
+    tdmf_native_advance(&s.solver, SYSTEM_OF(&s), NULL, s.motion.time - 1.0, &s.motion);
+    assert_says(s.solver.refusal, "until = -1 s is refused: allowed from 0 to inf s");
+    s.motion.state[TDMF_LEG_ANGLE] = INFINITY;
+    tdmf_native_advance(&s.solver, SYSTEM_OF(&s), NULL, 1.0, &s.motion);
+    assert_string_equal(s.solver.refusal.variable, "motion.state[]");
+    assert_int_equal(s.solver.refusal.index, TDMF_LEG_ANGLE);
+    request.seeds = &seed;
+    request.seed_count = 3;
+    tdmf_run_stride(&request, &made);
+    assert_says(made.refusal, "seed_count = 3 is refused: allowed from 0 to 2");
+    request.seed_count = 0;
+    request.map = TDMF_REDUCED_MAP;
+    request.foot_x = s.section;
+    tdmf_run_stride(&request, &made);
+    assert_int_equal(made.refusal.code, TDMF_EXCLUDED);
+    assert_says(made.refusal, "foot_x is refused: the reduced map has no place of the foot");
+    s.section[TDMF_SECTION_COM_HEIGHT] = -3.0;
+    request.map = TDMF_RETURN_MAP;
+    request.foot_x = NULL;
+    tdmf_run_stride(&request, &made);
+    assert_int_equal(made.outcome, TDMF_RETURN_NO_START);
+    assert_string_equal(made.refusal.variable, "foot.y");
+    s.solver.relative_tolerance = 1.0;
+    tdmf_run_stride(&request, &made);
+    assert_says(made.refusal,
+                "solver.relative_tolerance = 1 is refused: allowed from 0 to 1 (both excluded)");
+
+    crowd *crowd = make_crowd(RUNNERS, STRIDES, 1e-9);
+    crowd->case_of[1] = -7;
+    assert_says(tdmf_run_ensemble(&crowd->ensemble, crowd->ends, NULL),
+                "case_of[1] = -7 is refused: allowed from 0 to 2");
+    crowd->case_of[1] = 1;
+    crowd->cases[2].rules.roughness = -0.5;
+    assert_says(tdmf_run_ensemble(&crowd->ensemble, crowd->ends, NULL),
+                "cases[2].rules.roughness = -0.5 is refused: allowed from 0 to 1.79769313e+308");
+}
+
 static void pages_take_all_seeds(void) {
     enum { SEEDS = 8, ROOM = 100 };
     const tdmf_page *page = tdmf_page_named("reduced_runner");
@@ -304,8 +353,6 @@ TEST(pages_refuse_null_and_numbers_out_of_range) {
 }
 
 /* ---- the ensemble ------------------------------------------------------------------------------------- */
-
-enum { RUNNERS = 3, STRIDES = 2 };
 
 /* A crowd that follows a law, or is given settings. */
 typedef struct {
@@ -399,13 +446,13 @@ TEST(ensembles_refuse_counts_without_arrays) {
         gather(&population, i >= CHANGES - OF_LAWS);
         changes[i](&population);
         population.crowd->ends[0].strides = 77;
-        assert_false(tdmf_run_ensemble(population.ensemble, population.crowd->ends, NULL));
+        assert_non_null(tdmf_run_ensemble(population.ensemble, population.crowd->ends, NULL).variable);
         assert_int_equal(population.crowd->ends[0].strides, 77);
     }
     gather(&population, true);
-    assert_false(tdmf_run_ensemble(NULL, population.crowd->ends, NULL));
-    assert_false(tdmf_run_ensemble(population.ensemble, NULL, NULL));
-    assert_true(tdmf_run_ensemble(population.ensemble, population.crowd->ends, NULL));
+    assert_non_null(tdmf_run_ensemble(NULL, population.crowd->ends, NULL).variable);
+    assert_non_null(tdmf_run_ensemble(population.ensemble, NULL, NULL).variable);
+    assert_null(tdmf_run_ensemble(population.ensemble, population.crowd->ends, NULL).variable);
     assert_int_equal(population.crowd->ends[RUNNERS - 1].strides, STRIDES);
 }
 
@@ -414,11 +461,11 @@ TEST(threads_are_no_more_than_runners) {
     tdmf_ensemble_work work;
     crowd *crowd = make_crowd(RUNNERS, STRIDES, 1e-9);
     crowd->ensemble.threads = INT_MAX;
-    assert_true(tdmf_run_ensemble(&crowd->ensemble, crowd->ends, NULL));
+    assert_null(tdmf_run_ensemble(&crowd->ensemble, crowd->ends, NULL).variable);
     crowd->ensemble.count = 0;
-    assert_true(tdmf_run_ensemble(&crowd->ensemble, crowd->ends, NULL));
+    assert_null(tdmf_run_ensemble(&crowd->ensemble, crowd->ends, NULL).variable);
     const tdmf_ensemble nobody = {.relative_tolerance = 1e-9, .threads = 1};
-    assert_true(tdmf_run_ensemble(&nobody, NULL, &work));
+    assert_null(tdmf_run_ensemble(&nobody, NULL, &work).variable);
     assert_int_equal(work.strides, 0);
 }
 

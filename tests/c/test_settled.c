@@ -97,7 +97,7 @@ TEST(a_stopped_run_goes_on_to_the_same_ends) {
     whole->cases[0].rules.gait_count = stopped->cases[0].rules.gait_count = 0;
     run_crowd(whole, TDMF_BEST_INSTRUCTIONS);
     stopped->ensemble.stop = &stop;
-    assert_true(tdmf_run_ensemble(&stopped->ensemble, stopped->ends, &work));
+    assert_null(tdmf_run_ensemble(&stopped->ensemble, stopped->ends, &work).variable);
     assert_int_equal(work.begun, 0);
     assert_int_equal(work.strides, 0);
     stopped->ensemble.stop = NULL;

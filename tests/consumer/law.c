@@ -11,13 +11,13 @@ static tdmf_ensemble_end ends[RUNNERS];
 static tdmf_return strides[RUNNERS];
 
 int main(void) {
-    static double starts[RUNNERS][TDMF_SECTION_COUNT];
-    const double gait[TDMF_SECTION_COUNT] = {
+    static double starts[RUNNERS][TDMF_POINT_LIMIT];
+    const double gait[TDMF_POINT_LIMIT] = {
         1.418508152745958, 1.0620047462715507, 0.9999993776846997, -0.5462532571145313, 0.0, 0.0};
     const tdmf_parameters parameters = tdmf_default_parameters();
     const int setting = tdmf_setting_of("hip.touchdown_angle");
     const double nominal = parameters.hip.touchdown_angle, low = nominal - 0.1, high = nominal + 0.1;
-    const double gain[1][TDMF_SECTION_COUNT] = {{0.0, 0.1, 0.0, 0.0, 0.0, 0.0}};
+    const double gain[1][TDMF_POINT_LIMIT] = {{0.0, 0.1, 0.0, 0.0, 0.0, 0.0}};
     tdmf_affine_law law;
     tdmf_model model;
     double angle, until[RUNNERS];
@@ -47,15 +47,19 @@ int main(void) {
     on_rough_ground.rules.law = &law;
     const tdmf_ensemble ensemble = {.cases = &on_rough_ground,
                                     .case_count = 1,
-                                    .starts = (const double(*)[TDMF_SECTION_COUNT])starts,
+                                    .starts = (const double(*)[TDMF_POINT_LIMIT])starts,
                                     .count = RUNNERS,
                                     .relative_tolerance = 1e-8,
                                     .threads = 1};
     printf("by %s: step %.3f, friction %.3f, noise %.3f\n",
            tdmf_instructions_name(tdmf_has_instructions(TDMF_TWO_LANES) ? TDMF_TWO_LANES : TDMF_ONE_BY_ONE),
            tdmf_ground_step(0, 10, 0), tdmf_friction_deviate(0, 10, 0), tdmf_sensor_noise(0, 10, 0, 0));
-    if (!tdmf_run_ensemble(&ensemble, ends, NULL))
+    const tdmf_refusal refusal = tdmf_run_ensemble(&ensemble, ends, NULL);
+    if (refusal.code != TDMF_ACCEPTED) {
+        char text[256];
+        fprintf(stderr, "%s\n", tdmf_refusal_text(&refusal, text, sizeof text));
         return 1;
+    }
     for (int i = 0; i < RUNNERS; ++i)
         closed += ends[i].strides;
     printf("%ld strides on rough ground\n", closed);
@@ -63,13 +67,13 @@ int main(void) {
     tdmf_system systems[RUNNERS];
     tdmf_stride_batch batch = {.systems = systems, .until = until, .count = RUNNERS, .threads = 1};
     tdmf_solver solver = tdmf_solver_default();
-    batch.sections = (const double(*)[TDMF_SECTION_COUNT])starts;
+    batch.sections = (const double(*)[TDMF_POINT_LIMIT])starts;
     for (int i = 0; i < RUNNERS; ++i) {
         systems[i].model = &model;
         systems[i].inputs = &on_rough_ground.inputs;
     }
-    const tdmf_refusal refusal = tdmf_run_strides(&solver, &batch, strides);
-    printf("refusal %d; the last of the level strides has the word %s\n", (int)refusal.code,
-           strides[RUNNERS - 1].stride.word);
+    if (tdmf_run_strides(&solver, &batch, strides).code != TDMF_ACCEPTED)
+        return 1;
+    printf("the last of the level strides has the word %s\n", strides[RUNNERS - 1].stride.word);
     return 0;
 }

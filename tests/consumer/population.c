@@ -31,8 +31,10 @@ int main(void) {
                                     .relative_tolerance = 1e-8,
                                     .threads = PROCESSORS};
     int settled = 0;
-    if (!tdmf_run_ensemble(&ensemble, ends, NULL)) {
-        fprintf(stderr, "no memory\n");
+    const tdmf_refusal refusal = tdmf_run_ensemble(&ensemble, ends, NULL);
+    if (refusal.code != TDMF_ACCEPTED) {
+        char text[256];
+        fprintf(stderr, "%s\n", tdmf_refusal_text(&refusal, text, sizeof text));
         return 1;
     }
     for (int i = 0; i < RUNNERS; ++i) {

@@ -229,7 +229,7 @@ typedef struct {
 /* Runs all; `ends` has room for one of each. A runner's end depends neither on its neighbours nor on the
  * number of threads. `work` may be NULL.
  *
- * Returns false, with nothing written, if:
+ * Refuses, with nothing written and a refusal that says why, if:
  *   - this build does not have the instructions, or there is no memory;
  *   - the tolerance is not above 0 and below 1, the step limit is below 0, or the number of threads is not
  *     positive;
@@ -248,8 +248,8 @@ typedef struct {
  * or push;
  *   - a number of a law or a ball is beyond 1e100, or a law's limits are not a range;
  *   - a checkpoint to resume from is in a mode that its page does not have. */
-TDMF_API bool tdmf_run_ensemble(const tdmf_ensemble *ensemble, tdmf_ensemble_end *ends,
-                                tdmf_ensemble_work *work);
+TDMF_API tdmf_refusal tdmf_run_ensemble(const tdmf_ensemble *ensemble, tdmf_ensemble_end *ends,
+                                        tdmf_ensemble_work *work);
 
 /* Strides of many runners, and how they are made. */
 typedef struct {

@@ -46,7 +46,7 @@ bool live_run_block(int count, double tolerance, double distance, int max_stride
     for (int i = 0; i < count && i < BLOCK_CAPACITY; ++i) {
         memcpy(apices[i], starts[i], sizeof starts[i]);
     }
-    if (count > BLOCK_CAPACITY || !tdmf_run_ensemble(&ensemble, ends, NULL)) {
+    if (count > BLOCK_CAPACITY || tdmf_run_ensemble(&ensemble, ends, NULL).code != TDMF_ACCEPTED) {
         return false;
     }
     for (int i = 0; i < count; ++i) {

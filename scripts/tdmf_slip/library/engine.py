@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from ..errors import StoppedError
 from ..uninterrupted import stop_flag, uninterrupted
-from .binding import c, ffi, text_of
+from .binding import c, check_accepted, ffi, text_of
 from .c_structs import END, STATE, STRIDE, WIDTH, address, dtype_of
 from .own_model import EVENT_ROOM, OwnModel
 
@@ -247,23 +247,22 @@ class Engine:
         self._most[...] = self.made + strides
         flag, request = stop_flag(), self._request
 
-        def engine() -> bool:
+        def engine() -> Any:
             request.stop = ffi.from_buffer("int[]", flag)
             try:
-                complete = bool(self.library.tdmf_run_ensemble(request, self._ends, self._work))
+                refused = self.library.tdmf_run_ensemble(request, self._ends, self._work)
             finally:
                 request.stop = ffi.NULL
             if flag[0]:
                 raise KeyboardInterrupt
-            return complete
+            return refused
 
         try:
             few = len(self.ends) * strides <= FEW
-            complete = engine() if few else uninterrupted(engine, flag)
+            refused = engine() if few else uninterrupted(engine, flag)
         except KeyboardInterrupt:
             raise StoppedError(self.ends[: self._work.begun]) from None
-        if not complete:
-            raise MemoryError("the ensemble engine found no memory, or its request was not sound")
+        check_accepted(refused)
         self.made += strides
         request.goes_on = True
         return self._work
