@@ -51,7 +51,6 @@ static void send(const instance *instance, call_status status, const char *categ
 fmi2Component fmi2Instantiate(fmi2String name, fmi2Type type, fmi2String guid, fmi2String resource_location,
                               const fmi2CallbackFunctions *functions, fmi2Boolean visible,
                               fmi2Boolean logging) {
-    (void)resource_location, (void)visible;
     const fmi2CallbackLogger logger = functions == NULL ? NULL : functions->logger;
     const fmi2ComponentEnvironment environment = functions == NULL ? NULL : functions->componentEnvironment;
     const interface_kind interface = type == fmi2ModelExchange ? MODEL_EXCHANGE : CO_SIMULATION;
@@ -150,7 +149,6 @@ fmi2Status fmi2NewDiscreteStates(fmi2Component component, fmi2EventInfo *info) {
 fmi2Status fmi2CompletedIntegratorStep(fmi2Component component, fmi2Boolean no_set_state_before,
                                        fmi2Boolean *enter_event_mode, fmi2Boolean *terminate) {
     bool asks = false;
-    (void)no_set_state_before;
     const call_status status =
         complete_step(component, "fmi2CompletedIntegratorStep", enter_event_mode, terminate, &asks);
     if (status == CALL_OK) {
@@ -178,12 +176,8 @@ CALL(GetNominalsOfContinuousStates, (fmi2Component c, fmi2Real nominals[], size_
 
 static const unsigned after_steps = STEP_MODE | TERMINATED | FAILED;
 
-fmi2Status fmi2DoStep(fmi2Component component, fmi2Real time, fmi2Real step,
-                      fmi2Boolean no_set_state_before) {
-    bool event = false;
-    (void)no_set_state_before;
-    return (fmi2Status)step_on(component, "fmi2DoStep", time, step, false, &event);
-}
+CALL(DoStep, (fmi2Component c, fmi2Real time, fmi2Real step, fmi2Boolean no_set_state_before),
+     step_on(c, call, time, step, false, &(bool){false}))
 
 static call_status check_input_rate(const instance *instance, const char *call, fmi2ValueReference reference,
                                     fmi2Integer order, double value) {
@@ -266,9 +260,7 @@ fmi2Status fmi2GetBooleanStatus(fmi2Component component, const fmi2StatusKind ki
     return fmi2OK;
 }
 
-CALL(GetStatus, (fmi2Component c, const fmi2StatusKind kind, fmi2Status *value),
-     ((void)kind, (void)value, refuse_status(c, call)))
+CALL(GetStatus, (fmi2Component c, const fmi2StatusKind kind, fmi2Status *value), refuse_status(c, call))
 CALL(GetIntegerStatus, (fmi2Component c, const fmi2StatusKind kind, fmi2Integer *value),
-     ((void)kind, (void)value, refuse_status(c, call)))
-CALL(GetStringStatus, (fmi2Component c, const fmi2StatusKind kind, fmi2String *value),
-     ((void)kind, (void)value, refuse_status(c, call)))
+     refuse_status(c, call))
+CALL(GetStringStatus, (fmi2Component c, const fmi2StatusKind kind, fmi2String *value), refuse_status(c, call))

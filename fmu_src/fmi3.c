@@ -59,7 +59,6 @@ fmi3Instance fmi3InstantiateModelExchange(fmi3String name, fmi3String token, fmi
                                           fmi3Boolean visible, fmi3Boolean logging,
                                           fmi3InstanceEnvironment environment,
                                           fmi3LogMessageCallback logger) {
-    (void)resource_path, (void)visible;
     return instantiate("fmi3InstantiateModelExchange", MODEL_EXCHANGE, NULL, name, token, logging,
                        environment, logger);
 }
@@ -71,7 +70,6 @@ fmi3Instance fmi3InstantiateCoSimulation(fmi3String name, fmi3String token, fmi3
                                          const fmi3ValueReference required[], size_t required_count,
                                          fmi3InstanceEnvironment environment, fmi3LogMessageCallback logger,
                                          fmi3IntermediateUpdateCallback update) {
-    (void)resource_path, (void)visible, (void)required, (void)required_count, (void)update;
     fmi3_instance *made = instantiate("fmi3InstantiateCoSimulation",
                                       event_mode_used ? CO_SIMULATION_WITH_EVENT_MODE : CO_SIMULATION, NULL,
                                       name, token, logging, environment, logger);
@@ -85,7 +83,6 @@ fmi3Instance fmi3InstantiateScheduledExecution(
     fmi3String name, fmi3String token, fmi3String resource_path, fmi3Boolean visible, fmi3Boolean logging,
     fmi3InstanceEnvironment environment, fmi3LogMessageCallback logger, fmi3ClockUpdateCallback clock_update,
     fmi3LockPreemptionCallback lock, fmi3UnlockPreemptionCallback unlock) {
-    (void)resource_path, (void)visible, (void)clock_update, (void)lock, (void)unlock;
     return instantiate("fmi3InstantiateScheduledExecution", CO_SIMULATION,
                        "the unit has no Scheduled Execution", name, token, logging, environment, logger);
 }
@@ -227,7 +224,6 @@ CALL(EvaluateDiscreteStates, (fmi3Instance c), call_is_allowed(c, call, EVENT_MO
 fmi3Status fmi3CompletedIntegratorStep(fmi3Instance component, fmi3Boolean no_set_state_before,
                                        fmi3Boolean *enter_event_mode, fmi3Boolean *terminate_simulation) {
     bool asks = false;
-    (void)no_set_state_before;
     const call_status status = complete_step(component, "fmi3CompletedIntegratorStep", enter_event_mode,
                                              terminate_simulation, &asks);
     if (status == CALL_OK) {
@@ -273,7 +269,6 @@ fmi3Status fmi3DoStep(fmi3Instance component, fmi3Float64 time, fmi3Float64 step
                       fmi3Boolean *terminate_simulation, fmi3Boolean *early_return,
                       fmi3Float64 *last_successful_time) {
     static const char call[] = "fmi3DoStep";
-    (void)no_set_state_before;
     if (!MAY_BEGIN(component, call, STEP_MODE, 1, event_handling_needed, terminate_simulation, early_return,
                    last_successful_time)) {
         return fmi3Error;
@@ -296,8 +291,7 @@ CALL(GetOutputDerivatives,
          ? output_derivatives(c, call, references, count, (const int *)orders, values)
          : CALL_ERROR)
 
-/* ---- functions that every unit has to export, for what this unit has not --------------------------------
- */
+/* ---- functions that every unit has to export, for what this unit does not have ------------------------- */
 
 /* This unit has none, so only empty requests succeed. */
 static call_status accept_empty(const instance *instance, const char *call, bool is_asked, const char *what) {
@@ -307,13 +301,12 @@ static call_status accept_empty(const instance *instance, const char *call, bool
     return is_asked ? answer(instance, CALL_ERROR, call, "the unit has no %s", what) : CALL_OK;
 }
 
+#define NONE_OF(what) accept_empty(c, call, count > 0 || value_count > 0, what)
 #define NO_VARIABLES(Type)                                                                                   \
     CALL(Get##Type, (fmi3Instance c, REFERENCES, fmi3##Type values[], size_t value_count),                   \
-         ((void)references, (void)values,                                                                    \
-          accept_empty(c, call, count > 0 || value_count > 0, "variable of type " #Type)))                   \
+         NONE_OF("variable of type " #Type))                                                                 \
     CALL(Set##Type, (fmi3Instance c, REFERENCES, const fmi3##Type values[], size_t value_count),             \
-         ((void)references, (void)values,                                                                    \
-          accept_empty(c, call, count > 0 || value_count > 0, "variable of type " #Type)))
+         NONE_OF("variable of type " #Type))
 
 NO_VARIABLES(Float32)
 NO_VARIABLES(Int8)
@@ -323,46 +316,34 @@ NO_VARIABLES(UInt16)
 NO_VARIABLES(UInt32)
 NO_VARIABLES(UInt64)
 CALL(GetBinary, (fmi3Instance c, REFERENCES, size_t sizes[], fmi3Binary values[], size_t value_count),
-     ((void)references, (void)sizes, (void)values,
-      accept_empty(c, call, count > 0 || value_count > 0, "variable of type Binary")))
+     NONE_OF("variable of type Binary"))
 CALL(SetBinary,
      (fmi3Instance c, REFERENCES, const size_t sizes[], const fmi3Binary values[], size_t value_count),
-     ((void)references, (void)sizes, (void)values,
-      accept_empty(c, call, count > 0 || value_count > 0, "variable of type Binary")))
+     NONE_OF("variable of type Binary"))
 
-#define NO_CLOCKS(name, given, ignored)                                                                      \
-    CALL(name, given, (ignored, (void)references, accept_empty(c, call, count > 0, "clock")))
+#define NO_CLOCKS(name, ...)                                                                                 \
+    CALL(name, (fmi3Instance c, REFERENCES, __VA_ARGS__), accept_empty(c, call, count > 0, "clock"))
 
-NO_CLOCKS(GetClock, (fmi3Instance c, REFERENCES, fmi3Clock values[]), (void)values)
-NO_CLOCKS(SetClock, (fmi3Instance c, REFERENCES, const fmi3Clock values[]), (void)values)
-NO_CLOCKS(GetIntervalDecimal,
-          (fmi3Instance c, REFERENCES, fmi3Float64 intervals[], fmi3IntervalQualifier qualifiers[]),
-          ((void)intervals, (void)qualifiers))
-NO_CLOCKS(GetIntervalFraction,
-          (fmi3Instance c, REFERENCES, fmi3UInt64 counters[], fmi3UInt64 resolutions[],
-           fmi3IntervalQualifier qualifiers[]),
-          ((void)counters, (void)resolutions, (void)qualifiers))
-NO_CLOCKS(GetShiftDecimal, (fmi3Instance c, REFERENCES, fmi3Float64 shifts[]), (void)shifts)
-NO_CLOCKS(GetShiftFraction, (fmi3Instance c, REFERENCES, fmi3UInt64 counters[], fmi3UInt64 resolutions[]),
-          ((void)counters, (void)resolutions))
-NO_CLOCKS(SetIntervalDecimal, (fmi3Instance c, REFERENCES, const fmi3Float64 intervals[]), (void)intervals)
-NO_CLOCKS(SetIntervalFraction,
-          (fmi3Instance c, REFERENCES, const fmi3UInt64 counters[], const fmi3UInt64 resolutions[]),
-          ((void)counters, (void)resolutions))
-NO_CLOCKS(SetShiftDecimal, (fmi3Instance c, REFERENCES, const fmi3Float64 shifts[]), (void)shifts)
-NO_CLOCKS(SetShiftFraction,
-          (fmi3Instance c, REFERENCES, const fmi3UInt64 counters[], const fmi3UInt64 resolutions[]),
-          ((void)counters, (void)resolutions))
+NO_CLOCKS(GetClock, fmi3Clock values[])
+NO_CLOCKS(SetClock, const fmi3Clock values[])
+NO_CLOCKS(GetIntervalDecimal, fmi3Float64 intervals[], fmi3IntervalQualifier qualifiers[])
+NO_CLOCKS(GetIntervalFraction, fmi3UInt64 counters[], fmi3UInt64 resolutions[],
+          fmi3IntervalQualifier qualifiers[])
+NO_CLOCKS(GetShiftDecimal, fmi3Float64 shifts[])
+NO_CLOCKS(GetShiftFraction, fmi3UInt64 counters[], fmi3UInt64 resolutions[])
+NO_CLOCKS(SetIntervalDecimal, const fmi3Float64 intervals[])
+NO_CLOCKS(SetIntervalFraction, const fmi3UInt64 counters[], const fmi3UInt64 resolutions[])
+NO_CLOCKS(SetShiftDecimal, const fmi3Float64 shifts[])
+NO_CLOCKS(SetShiftFraction, const fmi3UInt64 counters[], const fmi3UInt64 resolutions[])
 CALL(ActivateModelPartition, (fmi3Instance c, fmi3ValueReference clock, fmi3Float64 time),
-     ((void)clock, (void)time, accept_empty(c, call, true, "clock")))
+     accept_empty(c, call, true, "clock"))
 
 CALL(EnterConfigurationMode, (fmi3Instance c), accept_empty(c, call, true, "structural parameter"))
 CALL(ExitConfigurationMode, (fmi3Instance c), accept_empty(c, call, true, "structural parameter"))
 CALL(GetNumberOfVariableDependencies, (fmi3Instance c, fmi3ValueReference reference, size_t *count),
-     ((void)reference, (void)count, accept_empty(c, call, true, "dependencies per array element")))
+     accept_empty(c, call, true, "dependencies per array element"))
 CALL(GetVariableDependencies,
      (fmi3Instance c, fmi3ValueReference dependent, size_t dependent_elements[],
       fmi3ValueReference independents[], size_t independent_elements[], fmi3DependencyKind kinds[],
       size_t count),
-     ((void)dependent, (void)dependent_elements, (void)independents, (void)independent_elements, (void)kinds,
-      (void)count, accept_empty(c, call, true, "dependencies per array element")))
+     accept_empty(c, call, true, "dependencies per array element"))

@@ -8,6 +8,13 @@
 
 #include <stdint.h>
 
+/* Calls of FMI have arguments that the unit does not need. */
+#ifdef __GNUC__
+#pragma GCC diagnostic ignored "-Wunused-parameter"
+#elif defined(_MSC_VER)
+#pragma warning(disable : 4100)
+#endif
+
 /* Numbered as fmi2Status and fmi3Status are. */
 typedef enum { CALL_OK, CALL_WARNING, CALL_DISCARD, CALL_ERROR } call_status;
 

@@ -92,26 +92,16 @@ static fmi_status enter_step_mode(void *instance) {
     return FMI_ERROR;
 }
 
-static fmi_status get_derivatives(void *instance, double derivatives[], size_t count) {
-    return (fmi_status)fmi2GetDerivatives(instance, derivatives, count);
-}
-
-static fmi_status get_reals(void *instance, const uint32_t references[], size_t count, double values[]) {
-    return (fmi_status)fmi2GetReal(instance, references, count, values);
-}
-
-static fmi_status set_reals(void *instance, const uint32_t references[], size_t count,
-                            const double values[]) {
-    return (fmi_status)fmi2SetReal(instance, references, count, values);
-}
-
-static fmi_status read_integer(void *instance, uint32_t reference, int *value) {
-    return (fmi_status)fmi2GetInteger(instance, &reference, 1, value);
-}
-
-static fmi_status set_item(void *instance, uint32_t reference, int value) {
-    return (fmi_status)fmi2SetInteger(instance, &reference, 1, &value);
-}
+ANSWERS(get_derivatives, (void *instance, double derivatives[], size_t count),
+        fmi2GetDerivatives(instance, derivatives, count))
+ANSWERS(get_reals, (void *instance, const uint32_t references[], size_t count, double values[]),
+        fmi2GetReal(instance, references, count, values))
+ANSWERS(set_reals, (void *instance, const uint32_t references[], size_t count, const double values[]),
+        fmi2SetReal(instance, references, count, values))
+ANSWERS(read_integer, (void *instance, uint32_t reference, int *value),
+        fmi2GetInteger(instance, &reference, 1, value))
+ANSWERS(set_item, (void *instance, uint32_t reference, int value),
+        fmi2SetInteger(instance, &reference, 1, &value))
 
 static fmi_status get_truth(void *instance, uint32_t reference, bool *value) {
     fmi2Boolean truth = fmi2False;
@@ -125,16 +115,12 @@ static fmi_status set_truth(void *instance, uint32_t reference, bool value) {
     return (fmi_status)fmi2SetBoolean(instance, &reference, 1, &truth);
 }
 
-static fmi_status directional_derivative(void *instance, const uint32_t unknowns[], size_t unknown_count,
-                                         const uint32_t knowns[], size_t known_count, const double seeds[],
-                                         double values[]) {
-    return (fmi_status)fmi2GetDirectionalDerivative(instance, unknowns, unknown_count, knowns, known_count,
-                                                    seeds, values);
-}
-
-static fmi_status output_derivative(void *instance, uint32_t reference, int order, double *value) {
-    return (fmi_status)fmi2GetRealOutputDerivatives(instance, &reference, 1, &order, value);
-}
+ANSWERS(directional_derivative,
+        (void *instance, const uint32_t unknowns[], size_t unknown_count, const uint32_t knowns[],
+         size_t known_count, const double seeds[], double values[]),
+        fmi2GetDirectionalDerivative(instance, unknowns, unknown_count, knowns, known_count, seeds, values))
+ANSWERS(output_derivative, (void *instance, uint32_t reference, int order, double *value),
+        fmi2GetRealOutputDerivatives(instance, &reference, 1, &order, value))
 
 static fmi_status get_item(void *instance, uint32_t reference, int *value) {
     return read_integer(instance, reference, value);

@@ -74,35 +74,19 @@ static void *instantiate(fmi_kind kind, const char *name, const char *token, boo
                                                           NULL, 0, NULL, logger, NULL);
 }
 
-static fmi_status enter_initialization(void *instance, const fmi_experiment *experiment) {
-    return (fmi_status)fmi3EnterInitializationMode(instance, experiment->has_tolerance, experiment->tolerance,
-                                                   experiment->start, experiment->has_stop, experiment->stop);
-}
-
-static fmi_status enter_step_mode(void *instance) {
-    return (fmi_status)fmi3EnterStepMode(instance);
-}
-
-static fmi_status update_states(void *instance, update_answer *answer) {
-    return (fmi_status)update(instance, answer);
-}
-
-static fmi_status make_step(void *instance, double time, double step, step_answer *answer) {
-    return (fmi_status)do_step(instance, time, step, answer);
-}
-
-static fmi_status get_derivatives(void *instance, double derivatives[], size_t count) {
-    return (fmi_status)fmi3GetContinuousStateDerivatives(instance, derivatives, count);
-}
-
-static fmi_status get_reals(void *instance, const uint32_t references[], size_t count, double values[]) {
-    return (fmi_status)fmi3GetFloat64(instance, references, count, values, count);
-}
-
-static fmi_status set_reals(void *instance, const uint32_t references[], size_t count,
-                            const double values[]) {
-    return (fmi_status)fmi3SetFloat64(instance, references, count, values, count);
-}
+ANSWERS(enter_initialization, (void *instance, const fmi_experiment *experiment),
+        fmi3EnterInitializationMode(instance, experiment->has_tolerance, experiment->tolerance,
+                                    experiment->start, experiment->has_stop, experiment->stop))
+ANSWERS(enter_step_mode, (void *instance), fmi3EnterStepMode(instance))
+ANSWERS(update_states, (void *instance, update_answer *answer), update(instance, answer))
+ANSWERS(make_step, (void *instance, double time, double step, step_answer *answer),
+        do_step(instance, time, step, answer))
+ANSWERS(get_derivatives, (void *instance, double derivatives[], size_t count),
+        fmi3GetContinuousStateDerivatives(instance, derivatives, count))
+ANSWERS(get_reals, (void *instance, const uint32_t references[], size_t count, double values[]),
+        fmi3GetFloat64(instance, references, count, values, count))
+ANSWERS(set_reals, (void *instance, const uint32_t references[], size_t count, const double values[]),
+        fmi3SetFloat64(instance, references, count, values, count))
 
 static fmi_status read_integer(void *instance, uint32_t reference, int *value) {
     fmi3Int32 integer = 0;
@@ -123,24 +107,17 @@ static fmi_status set_item(void *instance, uint32_t reference, int value) {
     return (fmi_status)fmi3SetInt64(instance, &reference, 1, &item, 1);
 }
 
-static fmi_status get_truth(void *instance, uint32_t reference, bool *value) {
-    return (fmi_status)fmi3GetBoolean(instance, &reference, 1, value, 1);
-}
-
-static fmi_status set_truth(void *instance, uint32_t reference, bool value) {
-    return (fmi_status)fmi3SetBoolean(instance, &reference, 1, &value, 1);
-}
-
-static fmi_status directional_derivative(void *instance, const uint32_t unknowns[], size_t unknown_count,
-                                         const uint32_t knowns[], size_t known_count, const double seeds[],
-                                         double values[]) {
-    return (fmi_status)fmi3GetDirectionalDerivative(instance, unknowns, unknown_count, knowns, known_count,
-                                                    seeds, known_count, values, unknown_count);
-}
-
-static fmi_status output_derivative(void *instance, uint32_t reference, int order, double *value) {
-    return (fmi_status)fmi3GetOutputDerivatives(instance, &reference, 1, &order, value, 1);
-}
+ANSWERS(get_truth, (void *instance, uint32_t reference, bool *value),
+        fmi3GetBoolean(instance, &reference, 1, value, 1))
+ANSWERS(set_truth, (void *instance, uint32_t reference, bool value),
+        fmi3SetBoolean(instance, &reference, 1, &value, 1))
+ANSWERS(directional_derivative,
+        (void *instance, const uint32_t unknowns[], size_t unknown_count, const uint32_t knowns[],
+         size_t known_count, const double seeds[], double values[]),
+        fmi3GetDirectionalDerivative(instance, unknowns, unknown_count, knowns, known_count, seeds,
+                                     known_count, values, unknown_count))
+ANSWERS(output_derivative, (void *instance, uint32_t reference, int order, double *value),
+        fmi3GetOutputDerivatives(instance, &reference, 1, &order, value, 1))
 
 #define FMI_KINDS             KINDS
 #define FMI(name)             fmi3##name

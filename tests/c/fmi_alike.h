@@ -3,21 +3,11 @@
  * FMI_STATE(Name, Rest) as a call for saved states, in which the versions spell a word in two ways, and
  * FMI_KINDS as the first kind that it has not. */
 
-static fmi_status set_logging(void *instance, bool on, size_t count, const char *const names[]) {
-    return (fmi_status)FMI(SetDebugLogging)(instance, on, count, names);
-}
-
-static fmi_status exit_initialization(void *instance) {
-    return (fmi_status)FMI(ExitInitializationMode)(instance);
-}
-
-static fmi_status enter_event_mode(void *instance) {
-    return (fmi_status)FMI(EnterEventMode)(instance);
-}
-
-static fmi_status enter_continuous_time_mode(void *instance) {
-    return (fmi_status)FMI(EnterContinuousTimeMode)(instance);
-}
+ANSWERS(set_logging, (void *instance, bool on, size_t count, const char *const names[]),
+        FMI(SetDebugLogging)(instance, on, count, names))
+ANSWERS(exit_initialization, (void *instance), FMI(ExitInitializationMode)(instance))
+ANSWERS(enter_event_mode, (void *instance), FMI(EnterEventMode)(instance))
+ANSWERS(enter_continuous_time_mode, (void *instance), FMI(EnterContinuousTimeMode)(instance))
 
 static fmi_status complete_step(void *instance, bool *asks_for_event_mode, bool *asks_to_stop) {
     FMI(Boolean) enter = *asks_for_event_mode, stop = *asks_to_stop;
@@ -27,57 +17,26 @@ static fmi_status complete_step(void *instance, bool *asks_for_event_mode, bool 
     return status;
 }
 
-static fmi_status terminate(void *instance) {
-    return (fmi_status)FMI(Terminate)(instance);
-}
-
-static fmi_status reset(void *instance) {
-    return (fmi_status)FMI(Reset)(instance);
-}
-
-static fmi_status set_time(void *instance, double time) {
-    return (fmi_status)FMI(SetTime)(instance, time);
-}
-
-static fmi_status set_states(void *instance, const double states[], size_t count) {
-    return (fmi_status)FMI(SetContinuousStates)(instance, states, count);
-}
-
-static fmi_status get_states(void *instance, double states[], size_t count) {
-    return (fmi_status)FMI(GetContinuousStates)(instance, states, count);
-}
-
-static fmi_status get_indicators(void *instance, double indicators[], size_t count) {
-    return (fmi_status)FMI(GetEventIndicators)(instance, indicators, count);
-}
-
-static fmi_status get_nominals(void *instance, double nominals[], size_t count) {
-    return (fmi_status)FMI(GetNominalsOfContinuousStates)(instance, nominals, count);
-}
-
-static fmi_status save(void *instance, void **saved) {
-    return (fmi_status)FMI_STATE(Get, )(instance, saved);
-}
-
-static fmi_status restore(void *instance, void *saved) {
-    return (fmi_status)FMI_STATE(Set, )(instance, saved);
-}
-
-static fmi_status free_saved(void *instance, void **saved) {
-    return (fmi_status)FMI_STATE(Free, )(instance, saved);
-}
-
-static fmi_status measure(void *instance, void *saved, size_t *size) {
-    return (fmi_status)FMI_STATE(Serialized, Size)(instance, saved, size);
-}
-
-static fmi_status serialize(void *instance, void *saved, unsigned char bytes[], size_t size) {
-    return (fmi_status)FMI_STATE(Serialize, )(instance, saved, (FMI(Byte) *)bytes, size);
-}
-
-static fmi_status deserialize(void *instance, const unsigned char bytes[], size_t size, void **saved) {
-    return (fmi_status)FMI_STATE(Deserialize, )(instance, (const FMI(Byte) *)bytes, size, saved);
-}
+ANSWERS(terminate, (void *instance), FMI(Terminate)(instance))
+ANSWERS(reset, (void *instance), FMI(Reset)(instance))
+ANSWERS(set_time, (void *instance, double time), FMI(SetTime)(instance, time))
+ANSWERS(set_states, (void *instance, const double states[], size_t count),
+        FMI(SetContinuousStates)(instance, states, count))
+ANSWERS(get_states, (void *instance, double states[], size_t count),
+        FMI(GetContinuousStates)(instance, states, count))
+ANSWERS(get_indicators, (void *instance, double indicators[], size_t count),
+        FMI(GetEventIndicators)(instance, indicators, count))
+ANSWERS(get_nominals, (void *instance, double nominals[], size_t count),
+        FMI(GetNominalsOfContinuousStates)(instance, nominals, count))
+ANSWERS(save, (void *instance, void **saved), FMI_STATE(Get, )(instance, saved))
+ANSWERS(restore, (void *instance, void *saved), FMI_STATE(Set, )(instance, saved))
+ANSWERS(free_saved, (void *instance, void **saved), FMI_STATE(Free, )(instance, saved))
+ANSWERS(measure, (void *instance, void *saved, size_t *size),
+        FMI_STATE(Serialized, Size)(instance, saved, size))
+ANSWERS(serialize, (void *instance, void *saved, unsigned char bytes[], size_t size),
+        FMI_STATE(Serialize, )(instance, saved, (FMI(Byte) *)bytes, size))
+ANSWERS(deserialize, (void *instance, const unsigned char bytes[], size_t size, void **saved),
+        FMI_STATE(Deserialize, )(instance, (const FMI(Byte) *)bytes, size, saved))
 
 const fmi_interface FMI() = {.kinds = FMI_KINDS,
                              .instantiate = instantiate,

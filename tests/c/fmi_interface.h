@@ -80,6 +80,12 @@ typedef struct fmi_interface {
 
 extern const fmi_interface fmi2, fmi3;
 
+/* A row of a version's table that is one of its calls. */
+#define ANSWERS(name, given, ...)                                                                            \
+    static fmi_status name given {                                                                           \
+        return (fmi_status)(__VA_ARGS__);                                                                    \
+    }
+
 /* A test of both versions, whose function has the version's table as `fmi`. */
 #define FMI_TEST(name)                                                                                       \
     static void name(const fmi_interface *fmi);                                                              \
