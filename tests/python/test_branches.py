@@ -124,15 +124,6 @@ def test_gaits_of_two_strides_are_those_of_plain_strides(over_low_angle):
     assert compared >= 3
 
 
-def test_a_period_doubling_is_where_plain_strides_begin_to_alternate(over_low_angle):
-    doubling = one(over_low_angle, "period doubling")
-    for value, alternates in ((doubling.value * 1.002, False), (doubling.value * 0.998, True)):
-        here = doubling.gait.runner.replace({ANGLE: value})
-        apex, ran = settled(here, doubling.gait.apex)
-        following, _ = settled(here, apex, 1)
-        assert ran == STRIDES and (apart(here, apex, following) > 1e-3) == alternates
-
-
 def code_of(word):
     """As the library writes a word: base 4, the first letter most significant."""
     return int("".join(str("|-0+".index(letter)) for letter in word), 4)

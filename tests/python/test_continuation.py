@@ -91,3 +91,12 @@ def test_a_branch_of_a_gait_is_followed_from_it_both_ways():
     assert (branch.began, branch.ended) == ("beginning of the range", "end of the range")
     assert branch[FRICTION].values[[0, -1]].tolist() == [0.32, 0.28]
     assert np.min(np.abs(branch["apexes"].values[:, 0] - gait.apex).max(axis=1)) < 1e-12
+
+
+def test_values_that_differ_by_rounding_are_of_one_branch():
+    runner, name = Runner("human"), "leg.stiffness"
+    gait = find_gait(runner)
+    values = [runner[name] * (1.0 + 2.0**-power) for power in (52, 50, 40, 30)]
+    found = list(gaits_over(runner, name, values, gait))
+    assert [other.runner[name] for other in found] == values
+    assert all(np.allclose(other.apex, gait.apex, rtol=1e-6, atol=1e-6) for other in found)

@@ -48,20 +48,11 @@ def specials_of(branch):
 
 def test_the_logistic_map_doubles_its_period_at_3():
     problem = MapProblem(logistic, 1)
-    branch, limits = followed(problem, problem.beginning(1.5, 1 / 3), 1.5, 3.8)
+    branch, _ = followed(problem, problem.beginning(1.5, 1 / 3), 1.5, 3.8)
     assert specials_of(branch) == [("period doubling", 3.0)] and branch.ended == "end of the range"
     assert branch.rows[-1].value == 3.8
     for value, gait, special in branch.rows:
         assert gait.apex[0] == pytest.approx(1 - 1 / value, abs=1e-9 if special else 1e-12)
-    _, doubled, _ = with_doubled_branches(branch, lambda n: MapProblem(logistic, 1, n), limits)
-    assert doubled.strides == 2 and doubled.began.startswith("period doubling at p = 3")
-    assert [kind for kind, _ in specials_of(doubled)] == ["period doubling"]
-    assert specials_in(doubled)[0].value == pytest.approx(1 + np.sqrt(6), abs=1e-9)
-    for r, gait in zip(*met(doubled), strict=True):
-        root = np.sqrt((r - 3) * (r + 1))
-        both = sorted([gait.apex[0], gait.following[0][0]])
-        assert both == pytest.approx([(r + 1 - root) / (2 * r), (r + 1 + root) / (2 * r)], abs=1e-11)
-        assert gait.eigenvalues[0] == pytest.approx(4 + 2 * r - r**2, abs=1e-9)
 
 
 def logistic_period(r, longest=16):
@@ -80,6 +71,13 @@ def test_a_period_that_doubles_again_is_followed_and_a_third_time_is_told():
     branch, limits = followed(problem, problem.beginning(2.9, 0.66), 2.9, 3.56, 0.05)
     _, two, four = with_doubled_branches(branch, lambda n: MapProblem(logistic, 1, n), limits)
     assert [b.strides for b in (branch, two, four)] == [1, 2, 4]
+    assert two.began.startswith("period doubling at p = 3")
+    assert specials_of(two) == [("period doubling", 1 + np.sqrt(6))]
+    for r, gait in zip(*met(two), strict=True):
+        root = np.sqrt((r - 3) * (r + 1))
+        both = sorted([gait.apex[0], gait.following[0][0]])
+        assert both == pytest.approx([(r + 1 - root) / (2 * r), (r + 1 + root) / (2 * r)], abs=1e-11)
+        assert gait.eigenvalues[0] == pytest.approx(4 + 2 * r - r**2, abs=1e-9)
     assert four.began.startswith("period doubling at p = 3.4494897")
     assert specials_of(four) == [("period doubling", 3.544090359551)]
     assert specials_in(four)[0].why == "gaits of 8 strides are not followed"

@@ -11,7 +11,7 @@ from ..errors import RunError
 from ..given import row_of
 from ..library.gait import Gait, check_is_gait
 from ..library.runner import Runner
-from ..numerics.following import Limits, Point, follow
+from ..numerics.following import SHORTEST_STEP, Limits, Point, follow
 from ..variables.variable import Given, Values
 from .branch_problem import BranchProblem
 from .special_points import FOLD, border_between, crossings, special_points
@@ -46,8 +46,8 @@ def gaits_over(
 def to_value(problem: BranchProblem, point: Point, value: float) -> Point:
     """The point of a branch at a value of its parameter. The first step tried is the whole way."""
     at = problem.value(point)
-    if at == value:
-        return point
+    if abs(value - at) <= SHORTEST_STEP * problem.scales[-1]:
+        return _beside(problem, point, value)
     back = 2.0 * at - value
     limits = Limits(
         np.array([min(value, back)]),
@@ -65,6 +65,18 @@ def to_value(problem: BranchProblem, point: Point, value: float) -> Point:
     if problem.value(points[-1]) != value:
         raise RunError(f"the branch ends at {problem.name} = {problem.value(points[-1]):.10g}: {ended}")
     return points[-1]
+
+
+def _beside(problem: BranchProblem, point: Point, value: float) -> Point:
+    """The point at a value nearer than a step along the branch is short, as rounding may leave two values."""
+    if problem.value(point) == value:
+        return point
+    goal = point.x.copy()
+    goal[-1] = value / problem.scales[-1]
+    found = problem.correct(goal, problem.towards(1.0), point)
+    if np.linalg.norm(found.x - point.x) > np.sqrt(SHORTEST_STEP):
+        raise RunError(f"the branch ends at {problem.where(point.x)}")
+    return found
 
 
 def _fold(problem: BranchProblem, points: list[Point]) -> float | None:
