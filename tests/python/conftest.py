@@ -150,11 +150,6 @@ def reference_gaits(*readings):
     return [gait for gait in gaits if gait["swing_clamp"] in (readings or (False, True))]
 
 
-def name_of_gait(gait):
-    """A reference gait as the name of a test's case."""
-    return f"friction {gait['friction']}, {'clamped' if gait['swing_clamp'] else 'free'}"
-
-
 def runner_of_gait(gait):
     """Start values of a reference gait that are not Table 1's."""
     return {"ground.friction": gait["friction"], "hip.swing_clamp": gait["swing_clamp"]}
@@ -163,11 +158,6 @@ def runner_of_gait(gait):
 def unit_reference():
     """The gait of the unit's own start values."""
     return next(gait for gait in reference_gaits(False) if gait["friction"] == 0.6)
-
-
-def apex_start(apex):
-    """State of a Table 1 runner at an apex, from the section's six coordinates."""
-    return tdmf_slip.Runner({}).state_at(apex)
 
 
 @pytest.fixture

@@ -150,17 +150,21 @@ def test_forces_are_read_in_the_layouts_that_spreadsheets_write(load, tmp_path, 
         ("Time\tFz\n0\t1\n", "the columns time, fz; allowed: with the force in Fy"),
         ("Time\tFy\n0\t1,650\n1\t12.5\n", "decimal commas and points"),
         ("Time\tFy\n0\tmuch\n", "'much'"),
+        ("Time\tFy\n" + "0\t0.0\n" * 900, "0 steps; allowed: 3 or more"),
         ("", "cannot be read"),
         (b"Time\tFy\n0\t\xff\n", "cannot be read"),
     ],
+    ids=range(6),
 )
 def test_what_are_no_forces_gets_one_sentence(load, tmp_path, text, said):
-    path = tmp_path / "RBDS001runT35forces.txt"
+    example, path = load("treadmill_forces"), tmp_path / "RBDS001runT35forces.txt"
     path.write_bytes(text if isinstance(text, bytes) else text.encode())
     with pytest.raises(SystemExit, match=said):
-        load("treadmill_forces").row_of(path)
+        example.row_of(path)
     with pytest.raises(SystemExit, match="cannot be read"):
-        load("treadmill_forces").row_of(tmp_path / "none")
+        example.row_of(tmp_path / "none")
+    with pytest.raises(SystemExit, match="no speed in its name"):
+        example.speed_of("forces.txt")
 
 
 @release
@@ -169,16 +173,6 @@ def test_the_tables_of_compliant_ground_on_the_results_page_are_what_the_example
     page = (EXAMPLES.parent / "documentation" / "results.md").read_text(encoding="utf-8")
     for table in example.tables(*example.computed(loaded(example.PAGE))):
         assert example.in_markdown(table) in page
-
-
-def test_forces_without_steps_or_speed_are_refused(load, tmp_path):
-    example = load("treadmill_forces")
-    path = tmp_path / "RBDS001runT35forces.txt"
-    path.write_text("Time\tFy\n" + "".join(f"{k}\t0.0\n" for k in range(900)), encoding="utf-8")
-    with pytest.raises(SystemExit, match="0 steps; allowed: 3 or more"):
-        example.row_of(path)
-    with pytest.raises(SystemExit, match="no speed in its name"):
-        example.speed_of("forces.txt")
 
 
 def test_a_bounce_of_the_force_is_no_step(load):

@@ -21,13 +21,28 @@ OUTPUT = [
     *COUNTED,
     "energy.total",
 ]
+CS, ME = {"fmi_type": "CoSimulation"}, {"fmi_type": "ModelExchange"}
 WAYS = {
-    "Co-Simulation": ({"fmi_type": "CoSimulation"}, {}, 1e-8),
-    "Co-Simulation by CVODE": ({"fmi_type": "CoSimulation"}, {"solver.method": 2}, 1e-8),
-    "Model Exchange": ({"fmi_type": "ModelExchange"}, {}, 1e-6),
+    "Co-Simulation": (2, CS, {}, 1e-8),
+    "Co-Simulation by CVODE": (2, CS, {"solver.method": 2}, 1e-8),
+    "Model Exchange": (2, ME, {}, 1e-6),
+    "FMI 3, event mode": (3, CS | {"use_event_mode": True}, {}, 1e-8),
+    "FMI 3, early return": (3, CS | {"use_event_mode": True, "early_return_allowed": True}, {}, 1e-8),
+    "FMI 3, Model Exchange": (3, ME, {}, 1e-6),
 }
-"""By name: FMPy's options, start values, and the accuracy that is asked of it."""
-each_way = pytest.mark.parametrize("way", WAYS)
+"""By name: version of FMI, FMPy's options, start values, and the accuracy that is asked of it."""
+
+
+def by_each_way(references):
+    """Pairs of a reference and a way. Both versions of FMI have one source of values: FMI 3 runs some."""
+    some = some_of(references, 4)
+    return [(one, way) for way, (fmi, *_) in WAYS.items() for one in (references if fmi == 2 else some)]
+
+
+@pytest.fixture(scope="session")
+def units(unpacked, description, unpacked3, description3):
+    """Folder and description of the unit by version of FMI."""
+    return {2: (unpacked, description), 3: (unpacked3, description3)}
 
 
 def code_of(word):
@@ -35,12 +50,13 @@ def code_of(word):
     return int("0" + word.translate(str.maketrans("|-0+", "0123")), 4)
 
 
-def run_unit(unpacked, description, way, runner, apex, time):
+def run_unit(units, way, runner, apex, time):
     """Rows of a run that ends just after a time, and the accuracy that its way is good for."""
-    options, settings, accuracy = WAYS[way]
+    fmi, options, settings, accuracy = WAYS[way]
+    folder, description = units[fmi]
     start = tdmf_slip.Runner(runner).start_values(apex)
     rows = fmpy.simulate_fmu(
-        unpacked, model_description=description, stop_time=1.001 * time, output_interval=time / 200,
+        folder, model_description=description, stop_time=1.001 * time, output_interval=time / 200,
         relative_tolerance=1e-12, start_values={**start, **settings}, output=OUTPUT, **options,
     )  # fmt: skip
     first, last = (dict(zip(rows.dtype.names, row, strict=True)) for row in (rows[0], rows[-1]))
@@ -55,18 +71,17 @@ def apex_in(last):
     return [last[f"apex.{name}"] for name in COORDINATES]
 
 
-@each_way
-@each_gait
-def test_a_stride_of_the_unit_is_that_of_the_reference(unpacked, description, gait, way):
-    rows, last, accuracy = run_unit(
-        unpacked, description, way, gait["start_values"], gait["apex"], gait["period"]
-    )
+@pytest.mark.parametrize(
+    ("gait", "way"), by_each_way(GAITS), ids=lambda of: of if isinstance(of, str) else name_of(of)
+)
+def test_a_stride_of_the_unit_is_that_of_the_reference(units, gait, way):
+    rows, last, accuracy = run_unit(units, way, gait["start_values"], gait["apex"], gait["period"])
     assert (last["stride.count"], last["stride.word_code"]) == (1, code_of(gait["word"]))
     assert apex_in(last) == pytest.approx(gait["apex"], abs=accuracy)
     known = {of: gait[name] for name, of in NAMES.items() if name in gait}
     assert {of: last[of] for of in known} == pytest.approx(known, rel=accuracy, abs=accuracy)
     assert last["event.count"] == len([name for name, _ in gait["events"] if "clamp" not in name])
-    if way == "Model Exchange":  # rows before and after each event
+    if way.endswith("Model Exchange"):  # rows before and after each event
         times, counts = np.unique(rows["time"], return_counts=True)
         for name, time in gait["events"]:
             assert np.min(np.abs(times[counts > 1] - time)) <= 1e-6 * time, name
@@ -109,13 +124,14 @@ def test_the_engine_runs_over_a_patch_as_the_reference_wherever_it_is(run, by):
     assert made["foot.x"].values[0, -1] == pytest.approx(run["end"]["foot.x"] + by, rel=1e-9)
 
 
-@each_way
-@pytest.mark.parametrize(
-    "run", some_of([run for run in RUNS if "fall" not in run], 4), ids=lambda run: run["name"]
-)
-def test_the_unit_runs_over_a_patch_as_the_reference(unpacked, description, run, way):
+OVER_PATCHES = some_of([run for run in RUNS if "fall" not in run], 4)
+
+
+@pytest.mark.parametrize("way", list(WAYS)[:3])
+@pytest.mark.parametrize("run", OVER_PATCHES, ids=lambda run: run["name"])
+def test_the_unit_runs_over_a_patch_as_the_reference(units, run, way):
     end = run["end"]
-    _, last, accuracy = run_unit(unpacked, description, way, run["start_values"], run["apex"], end["time"])
+    _, last, accuracy = run_unit(units, way, run["start_values"], run["apex"], end["time"])
     assert last["stride.count"] == len(run["words"])
     assert apex_in(last) == pytest.approx(end["apex"], rel=accuracy, abs=accuracy)
 

@@ -86,14 +86,15 @@ def decimal(value: Fraction, digits: int = 60) -> str:
         return f"{found.normalize():f}" if is_decimal else str(value)
 
 
+@dataclass(frozen=True, repr=False)
 class Proved:
     """Base of all proofs: a sentence that says what is proved or left open, and assumptions."""
 
     proved: bool
-    """Whether the sentence is proved; else it is undecided."""
-    values: Mapping[str, Exact]
-    """The runner's values, as the proof takes them."""
-    version: str
+    """Whether the sentence is proved; False means undecided, and says nothing against it."""
+    values: Mapping[str, Exact] = field(repr=False)
+    """The runner's parameters, exactly, by the unit's names."""
+    version: str = field(default=__version__, repr=False, compare=False, kw_only=True)
     """The version of the package that proved it."""
 
     def __repr__(self) -> str:
@@ -135,10 +136,6 @@ def texts_of(values: Mapping[str, Exact], varied: str | None = None) -> dict[str
 class Proof(Proved):
     """A gait with enclosures of all that is reported, or what could not be decided."""
 
-    proved: bool
-    """False is undecided: it says nothing against the gait."""
-    values: Mapping[str, Exact] = field(repr=False)
-    """The runner's parameters, exactly, by the unit's names."""
     box: Box = field(repr=False)
     """Box that contains exactly one gait."""
     digits: int
@@ -157,8 +154,6 @@ class Proof(Proved):
     """Events of the stride, with their times since the apex, s."""
     undecided: Mapping[str, object] = field(default_factory=dict)
     """Place where an undecided proof ended: `guard` and `time`."""
-    version: str = field(default=__version__, repr=False, compare=False)
-    """The version that proved it."""
 
     @property
     def coordinates(self) -> Sequence[str]:

@@ -20,7 +20,6 @@ from ..errors import InputError, RunError
 from ..library.batch_given import MIN_TOLERANCE
 from ..library.gait import Gait
 from ..library.shared_steps import shares_steps
-from ..version import __version__
 from .dual import UndecidedError, absolute, greatest, row_sums
 from .given import Exact, RunnerLike, ball_of, gait_of
 from .krawczyk import Inclusion, contraction
@@ -37,10 +36,6 @@ BITS = 64
 class Attraction(Proved):
     """Starts that are proved to settle on a gait."""
 
-    proved: bool
-    """Whether the attraction is proved; False means undecided."""
-    values: Mapping[str, Exact] = field(repr=False)
-    """The runner's parameters, exactly, by the unit's names."""
     radius: float = 0.0
     """Every apex no farther from the gait's in any coordinate, in units of the scales, settles on it."""
     rate: float = 1.0
@@ -55,8 +50,6 @@ class Attraction(Proved):
     """The norm's w, shape (6,)."""
     undecided: str = ""
     """Statement that could not be decided."""
-    version: str = field(default=__version__, repr=False, compare=False)
-    """The version that proved it."""
 
     def as_json(self) -> dict[str, object]:
         """The proof as a plain object."""

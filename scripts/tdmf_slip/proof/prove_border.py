@@ -17,7 +17,6 @@ from ..library.runner import Runner
 from ..library.section import COORDINATES
 from ..library.shared_steps import shares_steps
 from ..variables.table import FRICTION, full_name
-from ..version import __version__
 from .dual import UndecidedError
 from .given import MAX_DIGITS, Exact, RunnerLike, exact_runner, runner_of
 from .krawczyk import COARSE_BITS, Inclusion, middle_of, refined, slopes_of, unique_box
@@ -37,12 +36,8 @@ ROUGH = 1e-12
 class BorderProof(Proved):
     """A border between gait words, with enclosures, or what could not be decided."""
 
-    proved: bool
-    """Whether the border is proved. False means undecided, and says nothing against the border."""
     name: str
-    """Name of the varied parameter."""
-    values: Mapping[str, Exact] = field(repr=False)
-    """The runner's other parameters, exactly."""
+    """Name of the varied parameter; its entry in `values` has no meaning."""
     digits: int
     """Number of digits that were asked for."""
     kind: str = ""
@@ -59,8 +54,6 @@ class BorderProof(Proved):
     """Proofs of a gait on each side."""
     undecided: Mapping[str, object] = field(default_factory=dict)
     """Place where an undecided proof ended: `guard` and `time`."""
-    version: str = field(default=__version__, repr=False, compare=False)
-    """The version that proved it."""
 
     @property
     def words(self) -> tuple[str, ...]:
@@ -164,7 +157,7 @@ def prove_border(
     try:
         proof = _proved(found, values, vary, value, digits)
     except UndecidedError as problem:
-        return BorderProof(False, vary, values, digits, undecided=problem.as_json())
+        return BorderProof(False, values, vary, digits, undecided=problem.as_json())
     return replace(proof, sides=_sides(proof, found, _step(value))) if with_sides else proof
 
 

@@ -7,8 +7,7 @@ from fractions import Fraction
 
 from flint import arb, ctx
 
-from ..version import __version__
-from .given import Exact, ball_of
+from .given import ball_of
 from .proof import Proved, decimal, reported
 
 BITS = 56
@@ -83,23 +82,13 @@ class RangeProof(Proved):
     """Gaits over a range of a parameter."""
 
     name: str
-    """Name of the varied parameter."""
+    """Name of the varied parameter; its entry in `values` has no meaning."""
     begin: Fraction
     """The parameter's least value."""
     end: Fraction
     """The parameter's greatest value."""
-    values: Mapping[str, Exact] = field(repr=False)
-    """The runner's other parameters, exactly."""
     subintervals: Sequence[Subinterval] = field(repr=False)
     """Subintervals in order, without gaps."""
-    proved: bool = field(init=False)
-    """Nothing of the range is left."""
-    version: str = field(default=__version__, repr=False, compare=False)
-    """The version that put the subintervals together; a file records the version of each part."""
-
-    def __post_init__(self) -> None:
-        """Set whether all subintervals are proved."""
-        object.__setattr__(self, "proved", all(subinterval.proved for subinterval in self.subintervals))
 
     @property
     def left(self) -> list[tuple[Fraction, Fraction]]:

@@ -219,7 +219,8 @@ def prove_range(
             done[open_ones[number]] = subintervals
             _write(output, head, open_ones[number], subintervals)
             bar.update()
-    return RangeProof(name, *ends, values, [subinterval for part in parts for subinterval in done[part]])
+    found_ones = [subinterval for part in parts for subinterval in done[part]]
+    return RangeProof(all(of.proved for of in found_ones), values, name, *ends, found_ones)
 
 
 def _done(output: Path | None, head: Mapping[str, Any]) -> dict[tuple[Fraction, Fraction], list[Subinterval]]:
