@@ -203,9 +203,7 @@ def dead_beat(
     >>> held.strides, bool(abs(held.eigenvalues[0]) < 1e-6)
     (2, True)
     """
-    model = linearize(gait, inputs)
-    modes = lasting_modes(model, negligible)
-    reported = _movable(modes, model)
+    model, modes, reported = _movable(gait, inputs, negligible)
     try:
         gain = dead_beat_gain(modes.state_matrix, modes.input_matrix)
     except ArithmeticError:
@@ -253,9 +251,7 @@ def place_poles(
     """
     from scipy.signal import place_poles as place  # slow to load
 
-    model = linearize(gait, inputs)
-    modes = lasting_modes(model, negligible)
-    reported = _movable(modes, model)
+    model, modes, reported = _movable(gait, inputs, negligible)
     wanted = _checked_eigenvalues(eigenvalues, reported)
     try:
         placed = place(modes.state_matrix, modes.input_matrix, wanted)
@@ -339,12 +335,16 @@ def riccati_gain(
     return gain, cost
 
 
-def _movable(modes: Modes, model: Linearization) -> Controllability:
-    """Controllability of the modes, all of which can be moved."""
-    reported = controllability_of(model.gait.runner, modes, model.inputs)
+def _movable(
+    gait: Gait, inputs: Sequence[str], negligible: float
+) -> tuple[Linearization, Modes, Controllability]:
+    """A gait to first order, its modes that last, and their controllability: all of them can be moved."""
+    model = linearize(gait, inputs)
+    modes = lasting_modes(model, negligible)
+    reported = controllability_of(gait.runner, modes, model.inputs)
     if not reported.controllable:
         raise _not_movable(model, reported.uncontrollable)
-    return reported
+    return model, modes, reported
 
 
 def _not_movable(model: Linearization, eigenvalues: NDArray[Any]) -> InputError:
