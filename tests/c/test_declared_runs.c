@@ -35,6 +35,7 @@ typedef struct {
     tdmf_solver solver;
     tdmf_motion motion;
     double start_energy;
+    double farthest;    /* the largest distance of the foot from the origin met, m */
     double turnover;    /* the largest energy met, J */
     double push_energy; /* the largest product of a push and of the body's place met, J */
     double body_energy; /* the largest product of the body's momentum and of the speeds that its own is the
@@ -86,6 +87,8 @@ static double body_energy(const run *run) {
 
 /* Of the last piece of a run, from its first inputs to its last. */
 static void record_energies(run *run, const tdmf_inputs *from) {
+    const double *state = run->motion.state;
+    run->farthest = fmax(run->farthest, hypot(state[TDMF_FOOT_X], state[TDMF_FOOT_Y]));
     run->body_energy = fmax(run->body_energy, body_energy(run));
     run->turnover = fmax(run->turnover, largest_energy(run));
     run->push_energy = fmax(run->push_energy, fmax(push_energy(run, from), push_energy(run, &run->inputs)));
@@ -113,12 +116,14 @@ static const char *not_a_number(const run *run) {
     return NULL;
 }
 
-/* Rounding error of heights, which grows with the leg length and the place of the foot. */
+/* Rounding error of heights, which grows with the leg length and the place of the foot. A short leg may have
+ * come from far away. */
 static double rounding_of(const run *run) {
     const double *state = run->motion.state;
     const tdmf_ground_line *ground = &run->motion.mode.ground;
     return 1e-12 * (run->model.scales.length + fabs(state[TDMF_FOOT_Y]) + state[TDMF_LEG_LENGTH] +
-                    fabs(ground->height) + fabs(ground->sine * state[TDMF_FOOT_X]));
+                    fabs(ground->height) + fabs(ground->sine * state[TDMF_FOOT_X])) +
+           4.0 * DBL_EPSILON * run->farthest;
 }
 
 static const char *false_fall(const run *run, tdmf_outcome outcome) {

@@ -68,6 +68,35 @@ def test_a_guard_that_would_have_risen_has_not_crossed_zero():
     assert run.set(rate=1.0).to(9.4).crossings == 1
 
 
+class Decays(Model):
+    """A leg that shortens towards its least length, and would fall below it."""
+
+    start = "decays", {}
+    excess, rate = state(1), parameter(1, "1/s")
+
+    @mode()
+    def decays(s):
+        """The excess over the least length decays."""
+        return {"excess": -s.rate * s.excess}
+
+    @mode(ends=True)
+    def fallen(s):
+        """The run ends."""
+        return {}
+
+    @event("decays", when=lambda s: s.excess)
+    def falls(s):
+        """The excess is gone."""
+        return s.to("fallen")
+
+
+@pytest.mark.parametrize("tolerance", [1e-2, 1e-3, 1e-4])
+def test_a_guard_that_decays_towards_zero_does_not_reach_it(tolerance):
+    """At a rough tolerance its polynomial has roots, by error only: such a fall would be none."""
+    run = CompiledPage(Decays).start(tolerance=tolerance).to(18.0)
+    assert (run.outcome, run.log) == ("arrived", [])
+
+
 class TwoMasses(Model):
     """A pull on a heavy and a very light mass, which an equal drag on the light one cancels."""
 

@@ -551,6 +551,16 @@ static inline real end_step(page_step *step) {
     return elapsed;
 }
 
+/* Lanes in which a guard has come down to zero in almost a straight line, from the beginning of the step to
+ * its end. A guard that decays towards zero has roots by error only, further away than the line's. */
+static inline mask falls_straight(const page_step *step, int guard) {
+    enum { TWO_TERMS = 2 };
+    real g[TERMS];
+    step->motion->polynomials[guard](step->c, step->s[0], TWO_TERMS, g);
+    const real rounding = 4.0 * zero_margin * step->guards[guard].scale;
+    return real_abs(g[0] + g[1] * step->power[1]) <= 0.1 * real_abs(g[0]) + rounding;
+}
+
 /* Some events are taken only where a step that begins close to them finds them, too. A longer step errs by
  * the tolerance: a fall that it finds may be none, and a foot may yet be below new ground, and land on it as
  * it rises. Returns the lanes that go on without the event. */
@@ -562,11 +572,14 @@ static inline mask looks_again(page_step *step, mask reaches) {
     for (int i = 0; i < step->guard_count; ++i) {
         if (step->kinds[i].looks_again) {
             guard_watch *watch = &step->guards[i];
-            const mask is_near =
-                reaches & (step->first == integer_of(i)) & mask_not(has_flag(watch, IS_NEAR));
+            mask is_near = reaches & (step->first == integer_of(i)) & has_flag(watch, IS_NEAR);
+            if (any(is_near)) {
+                is_near &= falls_straight(step, i);
+            }
+            const mask looks = reaches & (step->first == integer_of(i)) & mask_not(is_near);
             lower_flag(watch, IS_NEAR, mask_of(true));
-            raise_flag(watch, IS_NEAR, is_near);
-            again |= is_near;
+            raise_flag(watch, IS_NEAR, looks);
+            again |= looks;
         }
     }
     step->looks = any(again);
