@@ -35,7 +35,7 @@ def validate_command(
     Parameters
     ----------
     pictures
-        Also draw figures 5 to 9 of the paper, and one stride.
+        Also draw figures 5 to 9 of the paper, and one stride as snapshots.
     """
     if only_gaits and own:
         raise InputError("--gaits and --long: allowed: one of the two")
@@ -57,5 +57,6 @@ def _draw(folder: Path) -> str:
     """Draw the pictures, and list them."""
     from ..paper.figures import catalogue
 
-    names = ", ".join(path.name for path in catalogue.draw_gallery(folder, progress=True))
-    return f"\nPictures in {folder.resolve()}:\n{indent(fill(names, 96), '  ')}"
+    written = catalogue.draw(folder, only=catalogue.GALLERY, formats=["png"], progress=True)
+    names = ", ".join(path.name for path in written)
+    return f"\nPictures in {folder.resolve()}, each with its data:\n{indent(fill(names, 96), '  ')}"

@@ -50,7 +50,6 @@ class PageWriter(AbstractMovieWriter):
         Path(self.outfile).write_text(page, encoding="utf-8")
 
 
-FRICTION = 0.43
 FRAMES = 120
 FRAMES_ALLOWED = 12, 2000
 """The least and the most in a stride."""

@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 
 from ...errors import InputError
 from ...files.whole import whole
-from ...pictures import animation, model, style
+from ...pictures import style
 from ...terminal.progress import progress_bar
 from . import (
     attraction,
@@ -26,6 +26,7 @@ from . import (
     rough,
     slippery_patch,
     slope,
+    snapshots,
     strides,
     thrust,
     viability,
@@ -54,6 +55,7 @@ FIGURES: Mapping[str, Entry] = {
         partial(strides.table, *strides.THREE_SLIPS), partial(strides.draw, *strides.THREE_SLIPS)
     ),
     "figure_8": Entry(partial(strides.table, *strides.LOW), strides.draw_low),
+    "snapshots": Entry(partial(strides.table, *snapshots.SHOWN), snapshots.draw),
     "figure_9": Entry(figure_9.table, figure_9.draw),
     "attraction": Entry(attraction.table, attraction.draw),
     "energy": Entry(energy.table, energy.draw),
@@ -74,7 +76,7 @@ FIGURES: Mapping[str, Entry] = {
 """All figures by name. Data that take minutes are stored as `NAME.csv` in this folder."""
 FORMATS = ("png", "svg", "pdf")
 """Formats of the files."""
-GALLERY = ("figure_5", "figure_6", "figure_7", "figure_8", "figure_9")
+GALLERY = ("figure_5", "figure_6", "figure_7", "figure_8", "figure_9", "snapshots")
 """Figures that `validate --pictures` draws."""
 
 
@@ -114,22 +116,6 @@ def draw(
             written += [*paths, data]
             bar.update()
     return written
-
-
-def draw_gallery(folder: Path, progress: bool = False) -> list[Path]:
-    """Draw figures 5 to 9 of the paper, and one stride as snapshots and as an animation."""
-    folder.mkdir(exist_ok=True)
-    found = results()
-    drawings: dict[str, Callable[[Path], None]] = {
-        **{f"{name}.png": partial(_write, partial(FIGURES[name].draw, found)) for name in GALLERY},
-        "snapshots.png": partial(_write, lambda: model.draw_snapshots(found.stride(model.FRICTION))),
-        "stride.gif": lambda path: animation.draw(path, found.stride(model.FRICTION)),
-    }
-    with progress_bar("pictures", len(drawings), "", progress) as bar:
-        for name, drawing in drawings.items():
-            drawing(folder / name)
-            bar.update()
-    return [folder / name for name in drawings]
 
 
 def _write(draw: Callable[[], Figure], *paths: Path, look: str = "house", **how: float | None) -> None:
