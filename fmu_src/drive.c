@@ -244,51 +244,52 @@ static tdmf_run_outcome drive_native(fmu *fmu, double until, const struct instan
     return outcome;
 }
 
-/* Takes the events that are due, until none is. False where they do not come to an end. */
-bool settle(fmu *fmu, const struct instance *observer, bool *changed) {
+bool settle(fmu *fmu, const struct instance *observer, tdmf_chain *chain) {
     const page_motion before = fmu->motion;
     tdmf_page_run run = run_of(fmu);
-    tdmf_chain chain;
-    const bool is_settled = tdmf_take_due_events(unit_model, &run, fmu->watch, fmu->instant, &chain);
+    const bool is_settled = tdmf_take_due_events(unit_model, &run, fmu->watch, fmu->instant, chain);
     keep_run(fmu, &run);
-    *changed |= chain.count > 0;
-    if (is_settled && chain.count > 0 && observer != NULL) {
-        report(fmu, observer, &chain.first, before.numbers + UNIT_PARAMETER_COUNT, &chain.last,
+    if (is_settled && chain->count > 0 && observer != NULL) {
+        report(fmu, observer, &chain->first, before.numbers + UNIT_PARAMETER_COUNT, &chain->last,
                states_of(fmu));
     }
     return is_settled;
 }
 
-/* Goes on to `until` or to an event, which is due then: TDMF_RUN_STOPPED. */
-static tdmf_run_outcome go_on_by_cvode(fmu *fmu, double until) {
-    tdmf_page_run run = run_of(fmu);
-    show_to_world(fmu);
-    const tdmf_run_outcome outcome =
-        tdmf_cvode_to_event(unit_model, &run, fmu->watch, until, &fmu->work[WORK_EVALUATIONS]);
-    keep_run(fmu, &run);
-    return outcome;
-}
-
-static tdmf_run_outcome drive_by_cvode(fmu *fmu, double until, const struct instance *observer,
-                                       long *events) {
-    tdmf_run_outcome outcome = TDMF_RUN_STOPPED;
-    for (*events = 0; outcome == TDMF_RUN_STOPPED && *events < event_limit; ++*events) {
-        bool changed = false;
-        if (!settle(fmu, observer, &changed)) {
+/* Runs to `until`; with `row`, to the first chain of events that counts, which begins with this event and is
+ * not taken: TDMF_RUN_STOPPED. */
+static tdmf_run_outcome drive_by_cvode(fmu *fmu, double until, const struct instance *observer, long *events,
+                                       tdmf_event_row *row) {
+    for (*events = 0; *events < event_limit;) {
+        const struct fmu before = *fmu;
+        tdmf_chain chain;
+        if (!settle(fmu, observer, &chain)) {
             return TDMF_RUN_ENDLESS_CHAIN;
         }
+        if (row != NULL && chain.count > 0 && (is_counted(&chain.first) || is_counted(&chain.last))) {
+            *fmu = before;
+            *row = chain.first;
+            return TDMF_RUN_STOPPED;
+        }
+        *events += chain.count > 0;
         if (mode_of(fmu)->ends) {
             return TDMF_RUN_ENDED;
         }
-        *events += changed;
-        outcome = go_on_by_cvode(fmu, until);
+        tdmf_page_run run = run_of(fmu);
+        show_to_world(fmu);
+        const tdmf_run_outcome outcome =
+            tdmf_cvode_to_event(unit_model, &run, fmu->watch, until, &fmu->work[WORK_EVALUATIONS]);
+        keep_run(fmu, &run);
+        if (outcome != TDMF_RUN_STOPPED) {
+            return outcome;
+        }
     }
-    *events -= 1;
-    return outcome == TDMF_RUN_STOPPED ? TDMF_RUN_TOO_MANY_EVENTS : outcome;
+    return TDMF_RUN_TOO_MANY_EVENTS;
 }
 
 tdmf_run_outcome drive(fmu *fmu, double until, const struct instance *observer, long *events) {
-    return (is_by_cvode(fmu) ? drive_by_cvode : drive_native)(fmu, until, observer, events);
+    return is_by_cvode(fmu) ? drive_by_cvode(fmu, until, observer, events, NULL)
+                            : drive_native(fmu, until, observer, events);
 }
 
 static tdmf_run_outcome drive_native_to_event(fmu *fmu, double until, tdmf_event_row *row) {
@@ -319,28 +320,8 @@ static tdmf_run_outcome drive_native_to_event(fmu *fmu, double until, tdmf_event
     return outcome;
 }
 
-static tdmf_run_outcome drive_cvode_to_event(fmu *fmu, double until, tdmf_event_row *row) {
-    for (long left = event_limit; left > 0; --left) {
-        const tdmf_run_outcome outcome = mode_of(fmu)->ends ? TDMF_RUN_ENDED : go_on_by_cvode(fmu, until);
-        struct fmu after = *fmu;
-        tdmf_page_run run = run_of(&after);
-        tdmf_chain chain;
-        if (outcome != TDMF_RUN_STOPPED) {
-            return outcome;
-        }
-        if (!tdmf_take_due_events(unit_model, &run, after.watch, after.instant, &chain)) {
-            return TDMF_RUN_ENDLESS_CHAIN;
-        }
-        keep_run(&after, &run);
-        if (chain.count > 0 && (is_counted(&chain.first) || is_counted(&chain.last))) {
-            *row = chain.first; /* the others of the chain follow when it is taken */
-            return TDMF_RUN_STOPPED;
-        }
-        *fmu = after;
-    }
-    return TDMF_RUN_TOO_MANY_EVENTS;
-}
-
 tdmf_run_outcome drive_to_event(fmu *fmu, double until, tdmf_event_row *row) {
-    return (is_by_cvode(fmu) ? drive_cvode_to_event : drive_native_to_event)(fmu, until, row);
+    long events;
+    return is_by_cvode(fmu) ? drive_by_cvode(fmu, until, NULL, &events, row)
+                            : drive_native_to_event(fmu, until, row);
 }

@@ -200,9 +200,11 @@ const char *fmu_update(fmu *fmu, const struct instance *observer, bool *state_ch
     fmu->has_jumped = 0;
     changed |= account_for_jumps(fmu);
     if (fmu->is_exchange) {
+        tdmf_chain chain;
         observe(fmu);
-        is_resolved = settle(fmu, observer, &changed);
+        is_resolved = settle(fmu, observer, &chain);
         observe(fmu);
+        changed |= chain.count > 0;
     } else {
         long events;
         is_resolved = has_arrived(drive(fmu, fmu->motion.time, observer, &events));
@@ -272,25 +274,24 @@ static const char *conclude(fmu *fmu, const struct fmu *begun, tdmf_run_outcome 
     return text;
 }
 
-const char *fmu_advance(fmu *fmu, double until, const struct instance *observer, char text[FMU_TEXT]) {
+const char *fmu_advance(fmu *fmu, double until, bool stops_at_event, const struct instance *observer,
+                        char text[FMU_TEXT]) {
     const struct fmu begun = *fmu;
-    long events;
-    take_pending_event(fmu, observer);
-    account_for_jumps(fmu);
-    const tdmf_run_outcome outcome = drive(fmu, until - fmu->epoch, observer, &events);
-    return conclude(fmu, &begun, outcome, until, text);
-}
-
-const char *fmu_advance_to_event(fmu *fmu, double until, const struct instance *observer,
-                                 char text[FMU_TEXT]) {
-    const struct fmu begun = *fmu;
+    tdmf_run_outcome outcome;
     tdmf_event_row row;
-    bool changed;
-    if (fmu_update(fmu, observer, &changed, text) != NULL) { /* a jump of an input is no event of this step */
-        return text;
+    long events;
+    if (stops_at_event) {
+        bool changed; /* a jump of an input is no event of this step */
+        if (fmu_update(fmu, observer, &changed, text) != NULL) {
+            return text;
+        }
+        outcome = drive_to_event(fmu, until - fmu->epoch, &row);
+    } else {
+        take_pending_event(fmu, observer);
+        account_for_jumps(fmu);
+        outcome = drive(fmu, until - fmu->epoch, observer, &events);
     }
-    const tdmf_run_outcome outcome = drive_to_event(fmu, until - fmu->epoch, &row);
-    if (outcome != TDMF_RUN_STOPPED) {
+    if (!stops_at_event || outcome != TDMF_RUN_STOPPED) {
         return conclude(fmu, &begun, outcome, until, text);
     }
     show_to_world(fmu);

@@ -139,13 +139,10 @@ void fmu_enter_event_mode(fmu *fmu);
 /* Takes a pending event and all others that are due now. If it refuses, the unit is as it was. */
 const char *fmu_update(fmu *fmu, const struct instance *observer, bool *state_changed, char text[FMU_TEXT]);
 
-/* Co-Simulation: moves the run on to `until`. A run that has ended stays readable, frozen. Returns why it got
- * no farther than its time. */
-const char *fmu_advance(fmu *fmu, double until, const struct instance *observer, char text[FMU_TEXT]);
-
-/* Moves the run on as fmu_advance does, but stops at the first event on the way that counts: at its exact
- * time, before it is taken, with fmu->event_is_pending. */
-const char *fmu_advance_to_event(fmu *fmu, double until, const struct instance *observer,
-                                 char text[FMU_TEXT]);
+/* Co-Simulation: moves the run on to `until`, or to the first event on the way that counts: at its exact
+ * time, before it is taken, with fmu->event_is_pending. A run that has ended stays readable, frozen. Returns
+ * why it got no farther than its time. */
+const char *fmu_advance(fmu *fmu, double until, bool stops_at_event, const struct instance *observer,
+                        char text[FMU_TEXT]);
 
 #endif

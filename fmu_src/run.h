@@ -46,7 +46,7 @@ void report(const fmu *fmu, const struct instance *observer, const tdmf_event_ro
             const double *before, const tdmf_event_row *last, const double *after);
 
 /* Takes the events that another solver finds due, until none is. False where they do not come to an end. */
-bool settle(fmu *fmu, const struct instance *observer, bool *changed);
+bool settle(fmu *fmu, const struct instance *observer, tdmf_chain *chain);
 
 /* Runs to `until` and reports every event. `events` receives the number of events. */
 tdmf_run_outcome drive(fmu *fmu, double until, const struct instance *observer, long *events);

@@ -157,8 +157,7 @@ call_status step_on(instance *instance, const char *call, double time, double st
         return answer(instance, CALL_ERROR, call, "the step goes beyond the stop time, %s s",
                       time_text(fmu->stop_time, clock));
     }
-    const char *obstacle =
-        (stop_at_event ? fmu_advance_to_event : fmu_advance)(fmu, time + step, observer_of(instance), text);
+    const char *obstacle = fmu_advance(fmu, time + step, stop_at_event, observer_of(instance), text);
     discard_view(instance);
     *event = fmu->event_is_pending;
     if (obstacle != NULL) {
