@@ -19,6 +19,8 @@ TYPES = "".join(
     f"typedef int {name};" for name in ("bool", "size_t", "int32_t", "int64_t", "uint32_t", "uint64_t")
 )
 """Types of the standard headers, which the parser does not read."""
+INDENT = " " * 4
+"""What begins each line of code in a comment."""
 COMMENT = re.compile(r"/\*(.*?)\*/", re.DOTALL)
 FOR_CPLUSPLUS = re.compile(r'#ifdef __cplusplus\n(extern "C" \{|\})\n#endif')
 INCLUDE = re.compile(r'#include "tdmf_slip/([\w/]+\.h)"')
@@ -74,6 +76,12 @@ class Header:
         return [name for entry in self.entries for name in entry.undocumented]
 
 
+def _paragraph(text: str) -> str:
+    """A paragraph in one line; one that is indented is code, and keeps its lines."""
+    lines = text.rstrip().strip("\n").split("\n")
+    return "\n".join(lines) if all(line.startswith(INDENT) for line in lines) else " ".join(text.split())
+
+
 class _Comments:
     """Comments of a text by line, and the text without them, its lines where they were."""
 
@@ -86,7 +94,7 @@ class _Comments:
             line = text.count("\n", 0, found.start()) + 1
             end = line + found[0].count("\n")
             words = re.sub(r"^ *\* ?", "", found[1], flags=re.MULTILINE)
-            paragraphs = (" ".join(part.split()) for part in words.split("\n\n"))
+            paragraphs = map(_paragraph, words.split("\n\n"))
             comment = "\n\n".join(part for part in paragraphs if part)
             alone = not text[text.rfind("\n", 0, found.start()) + 1 : found.start()].strip()
             (self.before if alone else self.beside)[end if alone else line] = comment

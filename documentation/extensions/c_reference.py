@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
 
-from c_headers import FOLDER, Entry, Header, headers
+from c_headers import FOLDER, INDENT, Entry, Header, headers
 from docutils import nodes
 from docutils.statemachine import StringList
 from sphinx.application import Sphinx
@@ -54,6 +54,9 @@ def marked_up(comment: str) -> list[str]:
     """A comment as reStructuredText, by lines: names of the library are links, all else is as it is."""
     lines = []
     for paragraph in comment.split("\n\n"):
+        if paragraph.startswith(INDENT):
+            lines += ["::", "", *paragraph.split("\n"), ""]
+            continue
         parts = CODE.split(paragraph)
         text = "".join(f"``{part}``" if i % 2 else _linked(part) for i, part in enumerate(parts))
         lines += [re.sub(r"``([\w(])", r"`` \1", text) if "```" in text else text, ""]

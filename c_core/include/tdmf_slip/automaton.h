@@ -19,11 +19,11 @@ extern "C" {
  * tolerance. */
 #define TDMF_GUARD_MARGIN 1e-12
 
-/* What the transitions taken have changed. */
+/* What the transitions have changed. */
 typedef struct {
     bool state_changed; /* some element of the state jumped */
-    bool mode_changed;  /* contact, phase, clamp, thrust or fall: the right-hand side is another */
-    bool unresolved;    /* the chain of events did not come to rest within its bound; see tdmf_resolve */
+    bool mode_changed;  /* contact, phase, clamp, thrust or fall: the right-hand side is a different one */
+    bool unresolved;    /* more than TDMF_CHAIN_LIMIT transitions were due at one instant */
 } tdmf_resolution;
 
 /* Begins a run at motion->time from motion->state: checks the start, finds contact mode and hip phase (an
@@ -42,27 +42,27 @@ TDMF_API tdmf_refusal tdmf_start(tdmf_system system, tdmf_motion *motion);
 TDMF_API void tdmf_derivatives(tdmf_system system, const tdmf_mode *mode,
                                const double state[TDMF_STATE_COUNT], double derivatives[TDMF_STATE_COUNT]);
 
-/* Writes the values of all guards in the present mode. Those of a fallen run are 1. All are NaN if the
- * contact or phase is invalid. */
+/* Writes the values of all guards in the present mode. An event is due when its guard is zero or below. The
+ * guards of a fallen run are 1. All are NaN if the contact or phase is invalid. */
 TDMF_API void tdmf_guards(tdmf_system system, const tdmf_mode *mode, const double state[TDMF_STATE_COUNT],
                           double guards[TDMF_GUARD_COUNT]);
 
-/* The guard by which tdmf_resolve takes its next transition; TDMF_GUARD_COUNT if none is due, or if the
- * contact or phase is invalid. */
+/* Returns the guard whose transition tdmf_resolve takes next, or TDMF_GUARD_COUNT if none is due. */
 TDMF_API tdmf_guard tdmf_first_due(tdmf_system system, const tdmf_mode *mode,
                                    const double state[TDMF_STATE_COUNT]);
 
-/* Takes every transition that is due at motion->time, in order, until no guard is at or below zero. Goes by
- * the guards' values alone, so it may be called at any time: at an event, after an input jumped, or with
- * nothing due. A chain that would not end (none is known) is cut after TDMF_CHAIN_LIMIT links and reported.
- * If the contact or phase is invalid, nothing is changed, and the chain is reported as unresolved. */
+/* Takes every transition that is due at motion->time, in order, until no guard is at or below zero. It looks
+ * at the guards' values only, so you may call it at any time: at an event, after an input has jumped, or with
+ * nothing due. A leg whose rest length has jumped does its work on the spring. A chain that would not end
+ * (none is known) is cut and reported as unresolved; so is an invalid contact or phase, and then nothing is
+ * changed. */
 TDMF_API tdmf_resolution tdmf_resolve(tdmf_system system, tdmf_motion *motion);
 
-/* No chain has more transitions at one instant. */
+/* The largest number of transitions at one instant. */
 enum { TDMF_CHAIN_LIMIT = 64 };
 
-/* Records the ground force of this instant for the stride's peak. tdmf_resolve does so itself. Call it before
- * you change an input in mid-stance, so that a rising force is not lost. */
+/* Records the ground force of this instant for the stride's peaks. Call it before you change an input during
+ * a stance, so that a rising force is not lost. tdmf_resolve calls it itself. */
 TDMF_API void tdmf_observe(tdmf_system system, tdmf_motion *motion);
 
 #ifdef __cplusplus

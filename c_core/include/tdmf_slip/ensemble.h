@@ -13,29 +13,29 @@
 extern "C" {
 #endif
 
-/* How runners are stepped: one by one, or so many of them side by side, in the lanes of an instruction set.
- * Results are the same, bit for bit. */
+/* Instructions by which runners are stepped: one by one, or several side by side in the lanes of vector
+ * registers. Results are the same, bit for bit. */
 typedef enum {
     TDMF_BEST_INSTRUCTIONS, /* the best that this processor and this build have */
     TDMF_ONE_BY_ONE,        /* without lanes */
     TDMF_TWO_LANES,         /* two lanes, on any processor */
     TDMF_AVX2,              /* four lanes */
-    TDMF_AVX512,            /* eight */
+    TDMF_AVX512,            /* eight lanes */
     TDMF_INSTRUCTIONS_COUNT
 } tdmf_instructions;
 
-/* Coordinates of a point of a section, of any model, at the most. Rows of points are as wide. */
+/* The largest number of coordinates of a section, and the width of every row of points. */
 enum { TDMF_POINT_LIMIT = 8 };
 
-/* The number of a setting of the runner, which may be set anew at each apex: a tunable parameter or an input,
- * by its name in the unit, as in "hip.kp" and "ground.friction". -1 where there is none of this name, or it
- * is NULL. No law sets more than TDMF_SETTING_LIMIT, which is how many there are.
+/* Returns the number of a setting: a tunable parameter or an input, which may change at each apex. Its name
+ * is that of the unit, such as "hip.kp" or "ground.friction". Returns -1 if there is no such setting or the
+ * name is NULL. There are TDMF_SETTING_LIMIT settings.
  *
- * Settings of another page are its parameters by their numbers, and its states by theirs after these. */
+ * The settings of another page are its parameters by their numbers, then its states, counted on from there.
+ */
 TDMF_API int tdmf_setting_of(const char *name);
 
-/* A law from apex to settings, which a controller has that measures each apex and sets what the stride from
- * there is made with:
+/* A controller that measures each apex and sets values for the stride that begins there:
  *
  *     setting i = nominal i + sum of gain ij (measured j - apex j), not below low i nor above high i,
  *     measured j = coordinate j of the section + noise j tdmf_sensor_noise(seed, runner, stride, j).
@@ -43,22 +43,22 @@ TDMF_API int tdmf_setting_of(const char *name);
  * The coordinates are those of the ensemble's apices: heights above the ground in force, as a sensor sees it
  * before the ground steps. Gain and noise of coordinates that the section does not have are 0. */
 typedef struct {
-    int count;                              /* of settings, up to TDMF_SETTING_LIMIT */
-    const int *settings;                    /* each by tdmf_setting_of, and not twice */
-    double apex[TDMF_POINT_LIMIT];          /* where they are nominal */
-    const double *nominal;                  /* values, in the units of the settings, as the limits */
-    const double (*gain)[TDMF_POINT_LIMIT]; /* per m, m/s and so on */
-    const double *low, *high;               /* within the ranges of the settings */
-    double noise[TDMF_POINT_LIMIT];         /* standard deviations of what the sensor adds */
-    uint64_t seed;                          /* of the noise */
+    int count;                              /* number of settings, up to TDMF_SETTING_LIMIT */
+    const int *settings;                    /* their numbers, see tdmf_setting_of; none twice */
+    double apex[TDMF_POINT_LIMIT];          /* apex at which the settings are nominal */
+    const double *nominal;                  /* nominal values, in the units of the settings */
+    const double (*gain)[TDMF_POINT_LIMIT]; /* a row for each setting, per m, m/s and so on */
+    const double *low, *high;               /* limits, within the ranges of the settings */
+    double noise[TDMF_POINT_LIMIT];         /* standard deviations of the sensor's noise */
+    uint64_t seed;                          /* seed of the noise */
 } tdmf_affine_law;
 
-/* What the law sets, `count` values, for one of the strides of a runner: the first stride is 0. */
+/* Writes the `count` values that the law sets for one stride of a runner; the first stride is 0. */
 TDMF_API void tdmf_affine_settings(const tdmf_affine_law *law, const double apex[TDMF_POINT_LIMIT],
                                    uint64_t runner, uint32_t stride, double *values);
 
-/* A ball of attraction: apices x, the gait's being g, with a Euclidean norm of matrix (x - g) of 1 or less.
- */
+/* A ball of attraction: all apices x for which the Euclidean norm of matrix (x - g) is at most 1, where g is
+ * the gait's apex. */
 typedef struct {
     double matrix[TDMF_POINT_LIMIT][TDMF_POINT_LIMIT]; /* per m, m/s and so on; rows and columns of the
                                                           section's coordinates */
@@ -72,46 +72,48 @@ typedef struct {
  * face has fallen there. */
 #define TDMF_MIN_SEGMENT 1e-3 /* over l0 */
 typedef struct {
-    double length;         /* m, of a segment; 0: the ground is set by stride */
-    const double *heights; /* m, over the inputs' height; after the last the first comes again. Runner n
-                              begins on segment n. NULL: heights are drawn as steps by stride are, each by the
-                              number of its segment, with the roughness as their standard deviation */
-    int64_t height_count;  /* how many there are; 0 where heights is NULL */
+    double length;         /* length of a segment, m; 0: there is no terrain */
+    const double *heights; /* heights over ground.height, m, repeated after the last. Runner n begins on
+                              segment n. NULL: each height is drawn by the number of its segment, with the
+                              roughness as its standard deviation */
+    int64_t height_count;  /* number of heights; 0 if heights is NULL */
 } tdmf_terrain;
 
-/* When a runner counts as settled: its apex is this near that of a gait, over the section's scales, or in the
- * gait's ball; and how many strides it has to get there. Distance and balls have to be so small that the gait
- * attracts everything within. Without gaits every runner makes the most strides, or falls. */
+/* Rules of a case: when a runner is done, the ground that it runs on, and the law that it obeys.
+ *
+ * A runner has settled when its apex is near that of a gait, or in the gait's ball. The distance and the
+ * balls must be so small that the gait attracts everything within. Without gaits every runner makes
+ * `max_strides` or falls. */
 typedef struct {
-    const double (*gaits)[TDMF_POINT_LIMIT]; /* their apices */
-    int gait_count;                          /* how many */
-    double distance;                         /* a pure number */
-    const tdmf_ball *balls;                  /* one for each gait, the start's apex may be in it; or NULL */
-    int max_strides;                         /* then the runner is undecided */
-    double roughness; /* m: at each apex, the start's too, the ground's height gains a step, normal with mean
-                         0 and this standard deviation; see tdmf_ground_step. A runner below its step for a
-                         whole stride has fallen. Of the return map only */
-    /* Steps that hang together: a step is the roughness times the sum of weight j times the deviate of j
-     * strides before. NULL: each is its own deviate. */
+    const double (*gaits)[TDMF_POINT_LIMIT]; /* apices of the gaits */
+    int gait_count;                          /* number of gaits */
+    double distance;        /* largest distance of an apex from a gait's, in the section's scales */
+    const tdmf_ball *balls; /* a ball for each gait, which may contain the start; or NULL */
+    int max_strides;        /* after so many strides the runner is undecided */
+    double roughness; /* standard deviation of steps, m. At each apex, the first one included, the ground's
+                         height gains a step, see tdmf_ground_step. A runner below its step for a whole stride
+                         has fallen. Only with the return map */
+    /* Weights of correlated steps: a step is the roughness times the sum of weight j times the deviate of j
+     * strides before. NULL: each step is its own deviate. */
     const double *step_weights;
     int step_weight_count;
-    bool trips; /* a foot that is below a step as it comes has met it: a fall. Else it may pass it on its way
-                   up */
-    /* The friction of a stride is the case's times exp(friction_spread times such a sum, of deviates of its
-     * own), within its range; see tdmf_friction_deviate. Of the return map only */
+    bool trips; /* a foot that is below a step when the step comes has tripped and fallen; else it may pass
+                   the step on its way up */
+    /* The friction of a stride is ground.friction times exp(friction_spread times a sum of deviates with
+     * these weights), within its range; see tdmf_friction_deviate. Only with the return map. */
     double friction_spread;
     const double *friction_weights;
     int friction_weight_count;
-    /* With a length, heights and frictions are of segments, no longer of strides. Ground is level then and
-     * the body is not pushed; heights of apices are above the segment below the foot. Of the return map only
-     */
+    /* With a terrain, heights and frictions belong to segments instead of strides. The ground is level and
+     * the body is not pushed. Heights of apices count from the segment below the foot. Only with the return
+     * map. */
     tdmf_terrain terrain;
-    uint64_t seed;              /* of steps and friction */
-    const tdmf_affine_law *law; /* by which it sets at each apex, the start's too; NULL: nothing */
+    uint64_t seed;              /* seed of steps and friction */
+    const tdmf_affine_law *law; /* law that sets values at each apex, the first one included; or NULL */
 } tdmf_ensemble_rules;
 
-/* What a runner is given, besides its start. Inputs are held, but for those that are set at apices and for
- * the height of rough ground. */
+/* A case: the runner and its rules, which several members may share. Inputs are held, except those that are
+ * set at apices and the height of rough ground. */
 typedef struct {
     const tdmf_model *model;           /* its parameters */
     tdmf_inputs inputs;                /* throughout */
@@ -141,8 +143,8 @@ typedef struct {
     double set[TDMF_SETTING_LIMIT];                 /* there by the law, in the order of its settings */
 } tdmf_ensemble_stride;
 
-/* Where a runner stands that has made the most strides, to go on from. Its states are of use to the library
- * only. */
+/* A checkpoint: where a runner stands after `max_strides`, so that a later call can go on from there. Its
+ * content is for the library only. */
 enum { TDMF_CHECKPOINT_STATES = 112 };
 typedef struct {
     bool stands;                           /* else its run is over */
@@ -153,7 +155,7 @@ typedef struct {
     double states[TDMF_CHECKPOINT_STATES]; /* of its page */
 } tdmf_ensemble_checkpoint;
 
-/* What is noted of a page's strides besides, in rows of all runners and their strides. */
+/* States and events of a page's strides that are recorded, a row for each runner and stride. */
 typedef struct {
     int count;             /* states */
     const int *states;     /* their numbers */
@@ -162,7 +164,14 @@ typedef struct {
     unsigned char *events; /* their numbers, each plus 1; 0 behind the last */
 } tdmf_ensemble_notes;
 
-/* What is to be run, and how. */
+/* An ensemble: the runners, and how they are run.
+ *
+ *     tdmf_ensemble_case level = {.model = &model, .inputs = tdmf_default_inputs()};
+ *     level.rules.max_strides = 100;
+ *     const tdmf_ensemble ensemble = {.cases = &level, .case_count = 1, .starts = starts, .count = 1000,
+ *                                     .relative_tolerance = 1e-8, .threads = 4};
+ *     const tdmf_refusal refusal = tdmf_run_ensemble(&ensemble, ends, NULL);
+ */
 typedef struct {
     const tdmf_page *page; /* a model that runs by the return map of a section, always from a point of it on;
                               NULL: the runner, which goes by `map` */
@@ -189,11 +198,11 @@ typedef struct {
                         begins any more, and those under way end with their strides */
 } tdmf_ensemble;
 
-/* How a runner ends. */
+/* The fate of a runner. */
 typedef enum {
-    TDMF_FATE_SETTLED,   /* on a gait */
+    TDMF_FATE_SETTLED,   /* it is on a gait */
     TDMF_FATE_FELL,      /* the body or the leg is down */
-    TDMF_FATE_UNDECIDED, /* neither within the strides allowed, or one takes longer than 1e4 sqrt(m/k) */
+    TDMF_FATE_UNDECIDED, /* neither within max_strides, or a stride takes longer than 1e4 sqrt(m/k) */
     TDMF_FATE_NO_START,  /* the start is no apex above the ground, or the inputs are out of range */
     TDMF_FATE_UNSOLVED,  /* the solver could not follow it: too stiff, or too many steps or events, see
                             TDMF_STEP_LIMIT */
@@ -201,18 +210,18 @@ typedef enum {
     TDMF_FATE_STOPPED    /* the run was stopped before */
 } tdmf_fate;
 
-/* Tells what became of a runner. */
+/* The end of a runner. */
 typedef struct {
-    int fate;                                 /* a tdmf_fate */
-    int gait;                                 /* which, counted from 0; -1 for none */
-    int strides;                              /* how many closed */
-    int word_code;                            /* of the last stride, see tdmf_stride */
-    double apex[TDMF_POINT_LIMIT];            /* the last; the start while no stride has closed */
-    double foot_x;                            /* m, where the foot is there */
-    double time, distance;                    /* s and m, that the strides took */
-    double work;                              /* J, of all strides, as all that follows: of hip and leg */
-    double hip_work, leg_work, external_work; /* J, work of each */
-    double damper_loss, friction_loss, impact_loss; /* J, what each took */
+    int fate;                                       /* a tdmf_fate */
+    int gait;                                       /* number of the gait it settled on; -1: none */
+    int strides;                                    /* number of strides that closed */
+    int word_code;                                  /* code of the last stride's word, see tdmf_stride */
+    double apex[TDMF_POINT_LIMIT];                  /* the last apex; the start if no stride has closed */
+    double foot_x;                                  /* place of the foot there, m */
+    double time, distance;                          /* duration and length of all strides, s and m */
+    double work;                                    /* net work of hip and leg in all strides, J */
+    double hip_work, leg_work, external_work;       /* work of hip, leg and external forces, J */
+    double damper_loss, friction_loss, impact_loss; /* energy lost in damper, by friction, at impacts, J */
 } tdmf_ensemble_end;
 
 /* Work done in a run. */
@@ -226,8 +235,8 @@ typedef struct {
                       written */
 } tdmf_ensemble_work;
 
-/* Runs all; `ends` has room for one of each. A runner's end depends neither on its neighbours nor on the
- * number of threads. `work` may be NULL.
+/* Runs all runners and writes the end of each into `ends`. An end depends neither on the runner's neighbours
+ * nor on the number of threads. `work`, which may be NULL, receives the work done.
  *
  * Refuses, with nothing written and a refusal that says why, if:
  *   - this build does not have the instructions, or there is no memory;
@@ -282,10 +291,10 @@ TDMF_API double tdmf_friction_deviate(uint64_t seed, uint64_t runner, uint32_t s
  * distribution of tdmf_ground_step and is independent of it, also if the seeds are the same. */
 TDMF_API double tdmf_sensor_noise(uint64_t seed, uint64_t runner, uint32_t stride, int coordinate);
 
-/* Whether this processor and this build have them. */
+/* Returns whether this processor and this build have the instructions. */
 TDMF_API bool tdmf_has_instructions(tdmf_instructions instructions);
 
-/* Gives the name of the instructions, as "avx512". */
+/* Returns the name of the instructions, such as "avx512". */
 TDMF_API const char *tdmf_instructions_name(tdmf_instructions instructions);
 
 #ifdef __cplusplus

@@ -1,8 +1,8 @@
 /* Models that are written as pages of equations, and their return maps.
  *
- * A model has parameters, states, modes, events, sections and outputs, each with a name and a number from 0.
- * A section is where an event is taken, such as the apex; some states are its coordinates. The return map of
- * a section leads from one of its points to the next. */
+ * A model has parameters, states, modes, events, sections and outputs. Each has a name and a number, counted
+ * from 0. A section is a place that a run crosses again and again at an event, such as the apex; some of the
+ * states are its coordinates. The return map leads from one point of a section to the next. */
 #ifndef TDMF_SLIP_PAGE_H
 #define TDMF_SLIP_PAGE_H
 
@@ -14,14 +14,14 @@
 extern "C" {
 #endif
 
-/* A model; its content is the library's. */
+/* A model. Programs only hold pointers to it. */
 typedef struct tdmf_page tdmf_page;
 
-/* "classic_slip" or "reduced_runner", in a library of `tdmf-slip build` the name of the page; NULL for any
- * other name. */
+/* Returns the model with a name: "classic_slip" or "reduced_runner", or, in a library that `tdmf-slip build`
+ * has made, the name of its page. Returns NULL for any other name. */
 TDMF_API const tdmf_page *tdmf_page_named(const char *name);
 
-/* Things of a model that have a name and a number. */
+/* Kinds of named parts of a model. */
 typedef enum {
     TDMF_PAGE_PARAMETER, /* constant in a run */
     TDMF_PAGE_STATE,     /* changes in a run */
@@ -31,16 +31,17 @@ typedef enum {
     TDMF_PAGE_OUTPUT     /* computed from parameters and states */
 } tdmf_page_item;
 
-/* The name of the parameter, state, mode, event, section or output with a number; NULL after the last one. */
+/* Returns the name of the parameter, state, mode, event, section or output with a number, or NULL if there is
+ * none: count up to the NULL to list them all. */
 TDMF_API const char *tdmf_page_name(const tdmf_page *page, tdmf_page_item kind, int number);
 
-/* Default values of all parameters and states; either may be NULL. */
+/* Writes the default values of all parameters and states. Either pointer may be NULL. */
 TDMF_API void tdmf_page_defaults(const tdmf_page *page, double *parameters, double *states);
 
-/* Bounds of a parameter, which are allowed themselves. */
+/* Writes the smallest and the largest value that a parameter may have. */
 TDMF_API void tdmf_page_range(const tdmf_page *page, int parameter, double *least, double *most);
 
-/* Typical sizes of all states, by which errors are measured; they follow from the parameters. */
+/* Writes a typical size of each state for these parameters. Errors are measured in these units. */
 TDMF_API void tdmf_page_scales(const tdmf_page *page, const double *parameters, double *scales);
 
 /* An event of a run. */
@@ -50,7 +51,8 @@ typedef struct {
     int before, after; /* modes */
 } tdmf_page_event;
 
-/* A return map. Angles are in rad, all else in SI units. */
+/* A request for runs of a model. Set `page`, `parameters`, `states`, `tolerance` and `longest`, and zero what
+ * you do not need. Angles are in rad, everything else in SI units. */
 typedef struct {
     const tdmf_page *page;       /* the model */
     int section;                 /* its number */
@@ -67,10 +69,10 @@ typedef struct {
     bool is_unobserved;          /* leaves out what the page observes: largest values and positive parts */
 } tdmf_page_map;
 
-/* How a run to the next crossing ended. */
+/* How a run to the next crossing of the section ended. */
 typedef enum {
     TDMF_PAGE_CROSSED,   /* there is a next crossing */
-    TDMF_PAGE_ENDED,     /* the run ends in the mode, which the model does not leave, as in a fall */
+    TDMF_PAGE_ENDED,     /* the run is in a mode that the model never leaves, such as a fall */
     TDMF_PAGE_TOO_LONG,  /* there is no crossing within the time allowed */
     TDMF_PAGE_REFUSED,   /* a number is out of its range or not finite, a pointer is NULL, or the start does
                             not meet a requirement of the page */
@@ -96,12 +98,12 @@ typedef struct {
 TDMF_API tdmf_page_end tdmf_page_stride(const tdmf_page_map *map, const double *point, double *states,
                                         double *d_states);
 
-/* Finds a fixed point near `point` by Newton's method. False if it is not found; then `point` is unchanged.
- */
+/* Finds a fixed point near `point` by Newton's method. Returns false, with `point` unchanged, if there is
+ * none. */
 TDMF_API bool tdmf_page_fixed_point(const tdmf_page_map *map, double *point);
 
-/* Writes the states with which a run from a point of the section begins. False for a map or a point that is
- * refused. */
+/* Writes the states with which a run from a point of the section begins. Returns false if the map or the
+ * point is refused. */
 TDMF_API bool tdmf_page_place(const tdmf_page_map *map, const double *point, double *states);
 
 /* Values at some times of a run, a row for each time. Times increase. Derivatives are those at a fixed time,

@@ -30,13 +30,13 @@ typedef struct {
     double body_share;           /* m/(m + m_f) */
 } tdmf_model;
 
-/* A runner under its inputs, of whose motion the functions tell that take it. Neither is copied. */
+/* A runner and its inputs. The library keeps neither: both must live as long as the calls that use them. */
 typedef struct {
     const tdmf_model *model;   /* the runner */
-    const tdmf_inputs *inputs; /* at the time of the motion */
+    const tdmf_inputs *inputs; /* their values at the time of the motion */
 } tdmf_system;
 
-/* The defaults: Table 1 and friction 0.6, which make a periodic gait from tdmf_default_state. */
+/* Return the default values: Table 1 and friction 0.6. From tdmf_default_state they make a periodic gait. */
 TDMF_API tdmf_parameters tdmf_default_parameters(void);
 TDMF_API tdmf_inputs tdmf_default_inputs(void);
 
@@ -44,10 +44,11 @@ TDMF_API tdmf_inputs tdmf_default_inputs(void);
  * as it was and the first offending parameter is returned. */
 TDMF_API tdmf_refusal tdmf_model_create(tdmf_model *model, const tdmf_parameters *parameters);
 
-/* Checks friction and external torque against their ranges. */
+/* Checks every input against its range, NaN and infinity included. */
 TDMF_API tdmf_refusal tdmf_check_inputs(const tdmf_inputs *inputs);
 
-/* Inputs some time after those given; friction stops at 0. `rates` may be NULL: the inputs are held. */
+/* Returns the inputs after some time, s, at these rates; friction stops at 0. `rates` may be NULL: the inputs
+ * are held. */
 TDMF_API tdmf_inputs tdmf_inputs_after(const tdmf_inputs *inputs, const tdmf_inputs *rates, double elapsed);
 
 #ifdef __cplusplus

@@ -1,4 +1,4 @@
-/* What is remembered of a run: its events, the last completed stride, the last apex. */
+/* The memory of a run: its events, the last completed stride, the last apex. */
 #ifndef TDMF_SLIP_RECORD_H
 #define TDMF_SLIP_RECORD_H
 
@@ -9,14 +9,14 @@
 extern "C" {
 #endif
 
-/* What is remembered of a run. */
+/* The memory of a run. */
 typedef struct {
-    int event_count;        /* contact and phase changes since the start; those of one chain are one */
-    double last_event_time; /* s; the start time while there was none */
+    int event_count;        /* contact and phase changes since the start; changes at one instant count once */
+    double last_event_time; /* s; the time of the start if there was no event */
     double impact_loss;     /* J, since the start */
-    tdmf_stride stride;     /* the last that closed */
-    tdmf_apex apex;         /* the last */
-    tdmf_progress progress; /* of use to the library only, and not to be read or written */
+    tdmf_stride stride;     /* the last completed stride */
+    tdmf_apex apex;         /* the last apex */
+    tdmf_progress progress; /* for the library only: do not read or write it */
 } tdmf_record;
 
 #ifdef __cplusplus

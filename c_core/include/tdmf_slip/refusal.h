@@ -22,7 +22,7 @@ typedef enum {
 
 /* A refusal. All strings are static. */
 typedef struct {
-    tdmf_refusal_code code;
+    tdmf_refusal_code code; /* kind of the refusal */
     const char *variable; /* name of the variable in the FMU, "leg.length", or of the argument,
                              "solver.step_limit"; NULL if nothing was refused */
     int64_t index;        /* the element's number, from 0, if the name has a "[]"; else 0 */

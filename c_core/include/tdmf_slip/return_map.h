@@ -68,12 +68,11 @@ typedef enum {
     TDMF_REDUCED_MAP
 } tdmf_apex_map;
 
-/* Seeds of parameters and inputs along which a stride is differentiated, at the most. With a place of the
- * foot it is one less, in the reduced map four more. Unary plus makes an int: C++20 deprecates arithmetic
- * between two enumerations. */
+/* The largest numbers of seeds along which a stride is differentiated. With a place of the foot it is one
+ * less. Unary plus makes an int: C++20 deprecates arithmetic between two enumerations. */
 enum {
-    TDMF_RETURN_MAP_SEEDS = +TDMF_VARIATION_LIMIT - TDMF_SECTION_COUNT,
-    TDMF_REDUCED_MAP_SEEDS = +TDMF_VARIATION_LIMIT - TDMF_REDUCED_COUNT
+    TDMF_RETURN_MAP_SEEDS = +TDMF_VARIATION_LIMIT - TDMF_SECTION_COUNT, /* of the return map */
+    TDMF_REDUCED_MAP_SEEDS = +TDMF_VARIATION_LIMIT - TDMF_REDUCED_COUNT /* of the reduced map */
 };
 
 /* A request for a stride, a gait or many strides. Set `solver`, `system` and `apex`, and zero what you do not
@@ -104,15 +103,15 @@ typedef struct {
     double greatest_foot_height;   /* m, in flight, above the ground vertically below */
 } tdmf_stride_measures;
 
-/* Derivatives of the next apex and of the stride's quantities along a direction, by their names. */
+/* Derivatives along a direction. */
 typedef struct {
-    double apex[TDMF_SECTION_COUNT];
-    double period, length, work;
-    double stance_time, slip_distance;
-    double peak_force, peak_vertical_force;
-    double foot_clearance;
-    double foot_x;
-    tdmf_stride_measures measures; /* if they were asked for */
+    double apex[TDMF_SECTION_COUNT];        /* of the coordinates of the next apex */
+    double period, length, work;            /* of the stride's quantities of these names */
+    double stance_time, slip_distance;      /* of these, too */
+    double peak_force, peak_vertical_force; /* and of these */
+    double foot_clearance;                  /* of the height of the foot where the stride begins */
+    double foot_x;                          /* of the place of the foot at the next apex */
+    tdmf_stride_measures measures;          /* if they were asked for */
 } tdmf_stride_variation;
 
 /* Whether a stride closed, and else why not. */
@@ -156,7 +155,7 @@ typedef struct {
  * A log in the solver of a reduced stride has the touchdown, the events of the stance, and the apex. */
 TDMF_API void tdmf_run_stride(const tdmf_stride_request *request, tdmf_return *result);
 
-/* Says an outcome in words. */
+/* Returns an outcome in words, a static string. */
 TDMF_API const char *tdmf_return_outcome_text(tdmf_return_outcome outcome);
 
 /* ---- gaits --------------------------------------------------------------------------------------------- */

@@ -1,9 +1,12 @@
 /* The native solver: takes a run from one time to another, event by event.
  *
- * The motion of each contact mode is expanded into Taylor series, as long and of as high an order as the
- * tolerance asks for; guards are polynomials in time, whose first root is found by a search that cannot
- * jump over one. Nothing is allocated and nothing is kept between calls, so that a solver may be copied like
- * any value.
+ *     tdmf_solver solver = tdmf_solver_default();
+ *     while (tdmf_native_advance(&solver, system, NULL, motion.time + 0.01, &motion) == TDMF_ARRIVED)
+ *         draw(&motion);
+ *
+ * The solver expands the motion in each contact mode into Taylor series. The tolerance decides how long a
+ * step is and of which order. Guards are polynomials in time; the search for their first root cannot jump
+ * over one. Nothing is allocated and nothing is kept between calls, so you may copy a solver like any value.
  */
 #ifndef TDMF_SLIP_SOLVER_H
 #define TDMF_SLIP_SOLVER_H
@@ -28,11 +31,11 @@ typedef struct {
     double state[TDMF_STATE_COUNT]; /* before */
 } tdmf_event;
 
-/* Log of events. Those beyond its capacity are only counted. */
+/* A log of events. Events beyond its capacity are only counted. */
 enum { TDMF_EVENT_CAPACITY = 32 };
 typedef struct {
-    int count;                              /* of all events, noted or not; 0 to begin with */
-    tdmf_event events[TDMF_EVENT_CAPACITY]; /* the first ones, in order */
+    int count; /* number of events, also of those not logged; set it to 0 first */
+    tdmf_event events[TDMF_EVENT_CAPACITY]; /* the first events, in order */
 } tdmf_event_log;
 
 /* Default limits of one call of a solver. A typical stride takes some 50 steps. An event ends its step, so a
@@ -52,39 +55,42 @@ typedef struct {
     /* Called for each event, with `subject`, right after it was taken; or NULL. */
     void (*on_event)(void *subject, const tdmf_event *event);
     void *subject;
-    /* Leaves out of the record what nothing else depends on: the hip's positive work and the peaks of the
-     * ground force, which stay as they are. Not so where variations are carried along. */
+    /* Saves time by not observing the hip's positive work and the peaks of the ground force, on which nothing
+     * else depends. They stay as they are. Ignored if derivatives are computed. */
     bool without_peaks_and_positive_work;
     tdmf_refusal refusal; /* why the last call was refused, if it was */
     /* Work done so far. */
     int64_t steps, events;
-    int64_t strides;     /* closed; of the reduced map stances */
+    int64_t strides;     /* strides closed; of the reduced map, stances */
     int64_t evaluations; /* of the right-hand side, or of a coefficient of its series */
-    int64_t layer_steps; /* of the steps, those in the layer where friction falls with speed */
+    int64_t layer_steps; /* steps at slip speeds at which friction falls with speed */
 } tdmf_solver;
 
-/* The native solver gives up a runner that takes more steps than this within sqrt(m/k): at once where its
- * coefficients say so in flight or in stick, where runners spend their time, else when the steps are made.
- * CVODE is made for such runners. */
+/* The native solver gives up a stiff runner: one that needs more steps than this within sqrt(m/k). In flight
+ * and in stick the coefficients of the first step tell; elsewhere the steps are counted. CVODE takes stiff
+ * runners. */
 enum { TDMF_STIFFNESS_LIMIT = 10000 };
 
-/* Tells how a call of a solver ended. */
+/* How a call of a solver ended. */
 typedef enum {
-    TDMF_ARRIVED,         /* at the time asked for */
-    TDMF_FELL,            /* at the fall; the motion stays there */
-    TDMF_TOO_STIFF,       /* for the native solver: see TDMF_STIFFNESS_LIMIT */
+    TDMF_ARRIVED,         /* the run stands at the time asked for */
+    TDMF_FELL,            /* the runner fell, and the motion is frozen there */
+    TDMF_TOO_STIFF,       /* the native solver gave up: see TDMF_STIFFNESS_LIMIT */
     TDMF_TOO_MANY_STEPS,  /* the step limit was reached */
     TDMF_TOO_MANY_EVENTS, /* the event limit was reached */
     TDMF_NO_PROGRESS,     /* no step, however short, has a finite result */
-    TDMF_REFUSED          /* not begun: see tdmf_native_advance */
+    TDMF_REFUSED          /* nothing was done: solver->refusal says why */
 } tdmf_outcome;
 
-/* Default tolerance 1e-11, and limits that no call over a thousand strides reaches. */
+/* Returns the default solver: tolerance 1e-11, and limits that no call of up to a thousand strides reaches.
+ */
 TDMF_API tdmf_solver tdmf_solver_default(void);
 
-/* Integrates `motion` up to `until`, taking every event on the way. `inputs` are those at motion->time,
- * `rates` how fast they change, NULL where they are held. On every outcome the motion is valid and stands
- * where the solver got to. A fallen run stays as it is. Refused, with nothing touched, are
+/* Integrates `motion` up to the time `until` and takes every event on the way. The system's inputs are those
+ * at motion->time. `rates` says how fast they change; NULL means that they are held. Whatever the outcome,
+ * the motion is valid and stands where the solver got to. A fallen run stays as it is.
+ *
+ * A request is refused, with the motion untouched and the reason in solver->refusal, for
  *
  *   - a tolerance out of range, and inputs that are out of range or leave it by their rates;
  *   - rates that are not finite, and a rate other than 0 of an input that changes at events only;
@@ -94,32 +100,32 @@ TDMF_API tdmf_solver tdmf_solver_default(void);
 TDMF_API tdmf_outcome tdmf_native_advance(tdmf_solver *solver, tdmf_system system, const tdmf_inputs *rates,
                                           double until, tdmf_motion *motion);
 
-/* Tells how the integration of a stride ended. */
+/* How the integration of a stride ended. */
 typedef struct {
-    tdmf_outcome outcome; /* TDMF_ARRIVED: at `until`, or where the stride closed */
-    bool closed;          /* the stride has closed, and is the record's last */
+    tdmf_outcome outcome; /* TDMF_ARRIVED: the run stands at `until`, or where the stride closed */
+    bool closed;          /* the stride has closed; motion->record.stride has its quantities */
 } tdmf_stride_outcome;
 
-/* Integrates until one more stride has closed, with the inputs held, but not beyond `until`. */
+/* Integrates until one more stride has closed, but not beyond the time `until`. Inputs are held. */
 TDMF_API tdmf_stride_outcome tdmf_native_stride(tdmf_solver *solver, tdmf_system system, double until,
                                                 tdmf_motion *motion);
 
-/* As many directions are integrated at once: the section's six coordinates and two parameters. */
+/* The largest number of directions in one call: the section's six coordinates and two parameters. */
 enum { TDMF_VARIATION_LIMIT = 8 };
 
-/* As tdmf_native_stride, and carries `count` variations along, each with the change of parameters that it
- * belongs to: at the call they are those of `motion` at its time, on return those at the time it stands at
- * then. More than TDMF_VARIATION_LIMIT, or less than 0, are refused, as are NULL for some of them and all
- * that tdmf_native_advance refuses.
+/* Integrates a stride as tdmf_native_stride does, and the derivatives of the motion along `count` directions.
+ * A seed is the direction's change of parameters and inputs. The variation is the change of the motion:
+ * before the call at motion->time, see tdmf_vary_start, and after it at the new motion->time.
  *
- * Variations also limit the steps. They are not finite where none exists:
- *   - on the edge of an event: a crossing is a touch, two events coincide, or a foot stands without friction;
+ * Variations also limit the steps. They are not finite where no derivative exists:
+ *   - on the edge of an event, where a crossing is a touch, two events coincide, or a foot stands without
+ * friction;
  *   - along a gain, if both gains are zero and hip.swing_clamp is true. */
 TDMF_API tdmf_stride_outcome tdmf_native_stride_varied(tdmf_solver *solver, tdmf_system system, double until,
                                                        tdmf_motion *motion, const tdmf_seed *seeds,
                                                        tdmf_variation *variations, int count);
 
-/* Says an outcome in words. */
+/* Returns an outcome in words, a static string. */
 TDMF_API const char *tdmf_outcome_text(tdmf_outcome outcome);
 
 #ifdef __cplusplus

@@ -11,16 +11,17 @@
 extern "C" {
 #endif
 
-/* How many elements of the state are mechanical, which are its first, and how many a first variation has. */
+/* Numbers of elements of the state: of the mechanical ones, which come first, and of those that are
+ * differentiated. */
 enum { TDMF_MECHANICAL_COUNT = TDMF_HIP_WORK, TDMF_VARIED_COUNT = TDMF_LEG_WORK + 1 };
 
 /* What the foot does; the numbers are those of `contact.mode` in the unit. */
 typedef enum {
-    TDMF_CONTACT_FLIGHT = 1,    /* it is off the ground */
-    TDMF_CONTACT_STICK,         /* it is loaded and at rest */
-    TDMF_CONTACT_SLIP_POSITIVE, /* it is loaded and slides forward, x grows */
-    TDMF_CONTACT_SLIP_NEGATIVE, /* it is loaded and slides backward */
-    TDMF_CONTACT_GRAZE          /* the foot rests on the ground without force, held there by the hip */
+    TDMF_CONTACT_FLIGHT = 1,    /* off the ground */
+    TDMF_CONTACT_STICK,         /* loaded, and at rest */
+    TDMF_CONTACT_SLIP_POSITIVE, /* loaded, and sliding forward: x grows */
+    TDMF_CONTACT_SLIP_NEGATIVE, /* loaded, and sliding backward */
+    TDMF_CONTACT_GRAZE          /* at rest on the ground without force, held there by the hip */
 } tdmf_contact_mode;
 
 /* Which part of the hip's control law is in force; the numbers are those of `hip.phase` in the unit. */
@@ -31,10 +32,10 @@ typedef enum {
     TDMF_PHASE_PLACE      /* off the ground, from the apex on */
 } tdmf_hip_phase;
 
-/* Where a foot that slips is: the friction below it is that of the patch in the patch, else that outside. */
+/* The ground below a slipping foot, which may have a patch with a friction of its own. */
 typedef enum {
-    TDMF_ZONE_BEFORE, /* the patch, or there is none */
-    TDMF_ZONE_PATCH,  /* on it */
+    TDMF_ZONE_BEFORE, /* before the patch, or there is none */
+    TDMF_ZONE_PATCH,  /* on the patch */
     TDMF_ZONE_BEYOND  /* past its end */
 } tdmf_zone;
 
@@ -63,7 +64,7 @@ typedef struct {
     bool fallen;                /* the run is over and the motion frozen */
 } tdmf_mode;
 
-/* Makes the line y = height + x tan(slope). */
+/* Returns the line y = height + x tan(slope); height in m, slope in rad. */
 TDMF_API tdmf_ground_line tdmf_ground_line_of(double height, double slope);
 
 /* Writes the apex of the default parameters' periodic gait at friction 0.6, with integrals of zero. */

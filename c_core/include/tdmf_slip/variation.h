@@ -19,7 +19,7 @@ typedef struct {
     tdmf_inputs inputs;         /* and of each input */
 } tdmf_seed;
 
-/* Change of what is recorded of a stance, by the names that it has in tdmf_stride. */
+/* Change of the stance's quantities, by their names in tdmf_stride. */
 typedef struct {
     double stance_time;         /* s */
     double slip_distance;       /* m */
@@ -27,16 +27,17 @@ typedef struct {
     double peak_vertical_force; /* N */
 } tdmf_stance_variation;
 
-/* Change of a motion at a fixed time, per unit of a direction. Of the integrals, the works of hip and leg are
- * varied; the others stay 0. */
+/* Change of a motion at a fixed time, per unit of a direction. Of the integrals only the works of hip and leg
+ * are differentiated; the others stay 0. */
 typedef struct {
     double state[TDMF_STATE_COUNT]; /* of each element of the state */
     double liftoff_angle;           /* of mode.liftoff_angle */
     tdmf_stance_variation stance;   /* of the stride under way */
 } tdmf_variation;
 
-/* Writes how the motion that tdmf_start makes of a state changes with it. `given` is the state before the start,
- * `state_seed` its change, `seed` that of parameters and inputs. `seed` may be NULL: they do not change. */
+/* Writes how the motion that tdmf_start makes of a state changes with it. `given` is the state before the
+ * start, `state_seed` its change, `seed` that of parameters and inputs. `seed` may be NULL: they do not
+ * change. */
 TDMF_API void tdmf_vary_start(tdmf_system system, const double given[TDMF_STATE_COUNT], const tdmf_seed *seed,
                               const double state_seed[TDMF_STATE_COUNT], tdmf_variation *variation);
 
