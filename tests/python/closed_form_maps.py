@@ -2,7 +2,7 @@
 
 import numpy as np
 from tdmf_slip import InputError, RunError
-from tdmf_slip.analysis.branch_problem import BranchProblem
+from tdmf_slip.analysis.gait_problem import BranchProblem
 from tdmf_slip.library.gait import Gait
 
 

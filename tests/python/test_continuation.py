@@ -9,7 +9,7 @@ from branch_rows import met, rows_of, specials
 from conftest import some_of
 from tdmf_slip import RunError, Runner, continue_branch, find_gait
 from tdmf_slip.analysis.along import gaits_over
-from tdmf_slip.analysis.branch_problem import BranchProblem
+from tdmf_slip.analysis.gait_problem import BranchProblem
 from tdmf_slip.variables.parameters import read_parameters
 from tdmf_slip.variables.table import FRICTION
 

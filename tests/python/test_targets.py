@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from conftest import RELEASE, release, some_of
 from tdmf_slip import InputError, Runner, TargetNotMetError, find_gait
-from tdmf_slip.analysis.branch_problem import GaitProblem
+from tdmf_slip.analysis.gait_problem import GaitProblem
 from tdmf_slip.library.fixed_point import gait_near
 from tdmf_slip.library.members import VARIED
 from tdmf_slip.library.quantities import QUANTITIES, REDUCED_QUANTITIES, quantities_of

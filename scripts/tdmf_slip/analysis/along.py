@@ -13,7 +13,7 @@ from ..library.gait import Gait, check_is_gait
 from ..library.runner import Runner
 from ..numerics.following import SHORTEST_STEP, Limits, Point, follow
 from ..variables.variable import Given, Values
-from .branch_problem import BranchProblem
+from .gait_problem import BranchProblem
 from .special_points import FOLD, border_between, crossings, special_points
 
 MAX_STEP = 0.2

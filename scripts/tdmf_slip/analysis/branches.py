@@ -20,7 +20,7 @@ from ..terminal.progress import progress_bar
 from ..variables.parameters import RunnerLike
 from ..variables.table import Model
 from .along import gaits_over
-from .branch_problem import BranchProblem
+from .gait_problem import BranchProblem
 from .search import first_gait
 from .special_points import PERIOD_DOUBLING, Special, special_points
 

@@ -21,8 +21,8 @@ from ..record import dataset
 from ..terminal.progress import progress_bar
 from ..variables.parameters import RunnerLike
 from ..variables.table import Model
-from .branch_problem import GaitProblem
 from .branches import branch_through, first_in_range
+from .gait_problem import GaitProblem
 from .special_points import (
     CORNER,
     NEIMARK_SACKER,

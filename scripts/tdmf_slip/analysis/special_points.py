@@ -22,7 +22,7 @@ from ..errors import InputError, RunError
 from ..library.gait import Gait
 from ..numerics.following import Point
 from ..numerics.newton import Matrix
-from .branch_problem import BORDER_ACCURACY, BranchProblem
+from .gait_problem import BORDER_ACCURACY, BranchProblem
 
 FOLD, PERIOD_DOUBLING, NEIMARK_SACKER = "fold", "period doubling", "Neimark-Sacker"
 WORD_BORDER, UNCLASSIFIED = "word border", "unclassified"

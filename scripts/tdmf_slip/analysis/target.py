@@ -24,7 +24,7 @@ from ..library.strides import plain_stride
 from ..numerics.following import halved, walk
 from ..numerics.newton import GOOD_ENOUGH, Matrix, Vector, solve
 from ..terminal.progress import progress_bar
-from .branch_problem import GaitProblem
+from .gait_problem import GaitProblem
 from .settled import around, settled_gaits
 
 NEWTON_ITERATIONS, SHORTENINGS = 40, 6
@@ -230,7 +230,7 @@ class Help:
     instead_of: str
     """Varied parameter that then keeps its value; empty where all of them vary."""
     left: float
-    """Share of the gap that is left; 0 where the target is met."""
+    """Gap that is left; 0 where the target is met."""
     changed: float
     """How far the gait that meets the target is from the first, over the scales."""
 

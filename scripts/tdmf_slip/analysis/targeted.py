@@ -28,7 +28,7 @@ from ..terminal.text import quantity
 from ..variables.parameters import RunnerLike
 from ..variables.table import Model, model_of
 from ..variables.variable import Given
-from .branch_problem import GaitProblem
+from .gait_problem import GaitProblem
 from .search import periodic_gait
 from .target import (
     Help,

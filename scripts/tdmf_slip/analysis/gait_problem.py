@@ -27,6 +27,8 @@ COARSE, BORDER_ACCURACY = 1e-8, 1e-11
 """Lengths of branch, over the scales, within which a border is located: first by the words of plain strides,
 which may be others right beside it, then by those of strides with derivatives."""
 MAX_HALVINGS = 100
+DESCRIBED = 16
+"""Largest number of descriptions that are kept."""
 
 
 class GaitProblem(Problem):
@@ -58,6 +60,7 @@ class GaitProblem(Problem):
         if not self.quantities:
             self.scales[-len(names) :] = 2.0 ** np.round(np.log2(self.scales[-len(names) :]))
         self._closings: tuple[bytes, dict[str, Closing]] = b"", {}
+        self._described: dict[bytes, tuple[Gait, Matrix]] = {}
 
     @property
     def count(self) -> int:
@@ -117,7 +120,18 @@ class GaitProblem(Problem):
         return gait_near(self.runner_at(x), self.apex_at(x))
 
     def describe(self, x: Vector) -> tuple[Gait, Matrix]:
-        """The strides from a point, whether they lead back to it or not, and the derivatives."""
+        """The strides from a point, whether they lead back to it or not, and the derivatives.
+
+        A border is described again where its word was read, so the last descriptions are kept.
+        """
+        key = x.tobytes()
+        if key not in self._described:
+            if len(self._described) == DESCRIBED:
+                self._described.clear()
+            self._described[key] = self._describe(x)
+        return self._described[key]
+
+    def _describe(self, x: Vector) -> tuple[Gait, Matrix]:
         gait = strides_from(self.runner_at(x), self.apex_at(x), self.strides, along=self.names[0])
         scales = self.scales[: self.count]
         assert gait.by_parameter is not None
