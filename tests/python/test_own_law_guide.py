@@ -11,7 +11,7 @@ import pytest
 import tdmf_slip
 from conftest import ROOT
 from fmpy.validation import validate_fmu
-from page_runs import COMPILER
+from page_runs import COMPILER, compiler
 
 pytestmark = pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
 GUIDE = (ROOT / "documentation" / "guides" / "own_law.md").read_text(encoding="utf-8")
@@ -55,6 +55,7 @@ def test_the_guide_s_code_and_the_folder_s_test_run(tmp_path, monkeypatch):
 
 def test_build_makes_a_library_and_units_that_fmpy_validates_and_runs(command, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("CC", " ".join(compiler()))
     assert command("new", "my_ball", "--from", "scratch")[0] == 0
     status, out, err = command("build", "my_ball", "--json")
     assert status == 0, err
