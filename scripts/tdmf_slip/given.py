@@ -150,7 +150,7 @@ def ends_given(
 
 
 def counts_given(given: object, high: int) -> tuple[int, int]:
-    """How many points each of two axes has: a number `n`, or one for each axis, from 2 on."""
+    """Numbers of points of two axes, at least 2: a number `n` for both, or one for each axis."""
     allowed = "a number, or one of each axis"
     counts = [given, given] if number_of(given) is not None else row_of(given, "n", allowed)
     if len(counts) != 2:

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 
 Result: TypeAlias = tuple[Mapping[str, float | int | str], bool, str]
-"""How a run ended: its last stride, whether it fell, and why there is no result, if there is none."""
+"""End of a run: its last stride, whether it fell, and the reason if there is no result."""
 OVER = ("run",)
 """The dimension of all arrays."""
 

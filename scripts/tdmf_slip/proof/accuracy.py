@@ -32,7 +32,7 @@ Numbers = dict[str, float]
 
 
 def solver_errors(proof: Proof) -> dict[str, Numbers]:
-    """How far each solver's stride, from the proved apex, may be from the gait at the most."""
+    """Upper bounds of the errors of each solver's stride from the proved apex."""
     if not proof.proved:
         raise InputError("proof: undecided; allowed: a gait that is proved")
     runner = Runner({name: float(value.ball()) for name, value in proof.values.items()})

@@ -170,7 +170,7 @@ def coefficients(
 
 
 INCLUSIONS = 8
-"""How often a remainder that is not enclosed yet is widened."""
+"""Number of attempts to enclose a remainder, each with a wider ball."""
 WIDENED = 2
 HELPERS = ("sine", "cosine", "decay")
 """Functions of the motion's numbers that are carried along with them."""
@@ -283,7 +283,7 @@ class Flow:
         self.tubes |= {name: Tube(self.span, arb_poly(row), zero) for name, row in rows.items()}
 
     def body_ahead_of_foot(self, time: arb) -> arb:
-        """How far the body is along the line at a time more than the foot."""
+        """Position of the body along the ground line, relative to the foot, at a time."""
         return -self.tubes["length"].at(time) * self.tubes["sine"].at(time)
 
     def motion(self, runner: Any) -> Any:
@@ -302,7 +302,7 @@ def widened(remainder: arb) -> arb:
 
 
 def longest(runner: Any, terms: Mapping[str, list[arb]]) -> arb:
-    """How long the series are exact to the working precision, by their last terms; no enclosure, a choice."""
+    """Step over which the last terms of the series fall below the working precision. Nothing rests on it."""
     reach = float(runner.longest_step)
     for name, row in terms.items():
         scale = runner.sizes.get(name, 1.0)

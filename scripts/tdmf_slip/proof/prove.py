@@ -37,7 +37,7 @@ BEYOND = 8
 MIN_DECIMALS = 16
 """Fewest decimal places of that box: a wider one costs as much, and eigenvalues get too few digits."""
 REFINEMENTS = 3
-"""How often the box of the enclosures is made smaller where digits are missing."""
+"""Number of times that the box of the enclosures is made smaller where digits are missing."""
 GUARD_BITS = 32
 
 

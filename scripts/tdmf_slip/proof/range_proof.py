@@ -135,7 +135,7 @@ class RangeProof(Proved):
         )
 
     def _judgement(self) -> str:
-        """How much of the range has stable gaits, unstable ones, and what is left."""
+        """Shares of the range with stable gaits, with unstable gaits, and without a proof of either."""
         kinds = {"stable": True, "unstable": False, "left open": None}
         shares = {kind: self._share(stable) for kind, stable in kinds.items()}
         return "; of the range " + ", ".join(

@@ -46,12 +46,12 @@ SHRINKAGE = Fraction(3, 4)
 RECOVERY = Fraction(103, 100)
 """Growth of the width by each subinterval that is proved after one that was too wide."""
 FULL = 0.6
-"""Share of a box that the operator leaves where the box is as wide as is worth while; 1 proves nothing."""
+"""Share of a box that the operator leaves in a box of the best width; 1 proves nothing."""
 TRIES = 4
 WIDEST_BOX = 1.5
 """Widest box of xi, over the subinterval's width: a wider one bends the stride more than the parameter."""
 SPLITS = 3
-"""How often a subinterval whose gaits are proved, but not their stability, is halved for its sake."""
+"""Number of halvings of a subinterval whose gaits are proved, but not their stability."""
 
 
 class RangeProver:

@@ -291,6 +291,6 @@ def gradient_of_guard(runner: Any, mode: Mode, name: str, values: Values) -> lis
 
 
 def rate_of_guard(runner: Any, mode: Mode, name: str, values: Values) -> arb:
-    """How fast a guard changes in time, at an instant or over a ball of times."""
+    """Time derivative of a guard, at an instant or over a ball of times."""
     steepness, rates = gradient_of_guard(runner, mode, name, values), speeds(runner, mode, values)
     return sum((by * rates[of] for of, by in zip(values, steepness, strict=True)), arb(0))

@@ -73,7 +73,7 @@ class Spread:
 
 
 class Drift:
-    """Distance that the true motion may have from the point that stands for it: Q e, with balls e."""
+    """Difference of the true motion and the point that stands for the centre: Q e, with balls e."""
 
     def __init__(self, size: int) -> None:
         """Begin without drift, for a motion of `size` numbers."""
@@ -207,7 +207,7 @@ class VariedFlow(Flow):
 
 
 SHARPENINGS = 2
-"""How often the motion at an event is enclosed by the derivative that follows from its enclosure."""
+"""Number of times that the derivative at an event sharpens the motion, from which it is enclosed."""
 Instant = tuple[arb, Values]
 """A time, and the motion's numbers then."""
 
@@ -320,7 +320,7 @@ class SetTraveller(Traveller):
         self.margin_slopes = list((slopes * self.spread.product).entries())
 
     def _saltated(self, met: Met, derivative: arb_mat, names: Sequence[str]) -> tuple[arb_mat, arb_mat]:
-        """How the event's time moves with the start, and the derivative: each column goes on by as much."""
+        """Derivatives of the event's time and of the motion at the event by the start."""
         rates = speeds(self.wide, met.before, met.values)
         values = {name: met.values[name] for name in names}
         gradient = gradient_of_guard(self.dual, met.before, met.guard.name, values)
