@@ -89,6 +89,12 @@ def experiment_in_xml(given):
     return {EXPERIMENT[name]: repr(float(value)) for name, value in given.items()}
 
 
+def settable(quantity, **more):
+    """What a variable has of a quantity of the page that takes a start value."""
+    given = {"unit": quantity.unit, "about": quantity.meaning, "within": quantity.within}
+    return given | {"start": quantity.value, "is_set": True} | more
+
+
 class Guard(NamedTuple):
     """An event indicator: the least guard of some events, or the rate of what goes into a state."""
 
@@ -190,26 +196,11 @@ class Unit:
 
     def add(self, name, storage, offset, causality, variability, unit="1", about="", kind=float, **more):
         """Add a variable."""
-        row = {
-            "start": None,
-            "initial": None,
-            "within": {},
-            "depends": None,
-            "derivative": None,
-            "is_set": False,
-            "largest": LARGEST,
-            "items": {},
-            "reinit": storage == "STATE",
-        }
-        row |= {
-            "name": name,
-            "storage": storage,
-            "offset": offset,
-            "causality": causality,
-            "unit": unit or "1",
-        }
-        row |= {"variability": variability, "about": first_sentence(about), "kind": kind} | more
-        self.rows.append(Record(**row))
+        row = dict.fromkeys(("start", "initial", "depends", "derivative"))
+        row |= {"within": {}, "items": {}, "is_set": False, "reinit": storage == "STATE", "largest": LARGEST}
+        row |= {"name": name, "storage": storage, "offset": offset, "unit": unit or "1", "kind": kind}
+        row |= {"causality": causality, "variability": variability, "about": first_sentence(about)}
+        self.rows.append(Record(**row | more))
 
     def add_number(self, name, storage, offset, causality, variability, **more):
         """Add a variable that may be of any kind: a word and an enumeration have an Integer twin each."""
@@ -256,9 +247,7 @@ class Unit:
         """Add parameters, discrete inputs, and settings of the unit itself."""
         page = self.page
         for i, (name, q) in enumerate(page.parameters.items()):
-            given = {"unit": q.unit, "about": q.meaning, "within": q.within, "start": q.value, "is_set": True}
-            given["kind"] = getattr(q, "values", float)
-            public = self.model.public(name)
+            given, public = settable(q, kind=getattr(q, "values", float)), self.model.public(name)
             if q.role == "setting":
                 self.add(public, "INPUT", i, "input", "discrete", **given)
             else:
@@ -285,28 +274,20 @@ class Unit:
         page, world, public_of = self.page, self.world, self.model.public
         first, places = len(page.parameters), {n: i for i, n in enumerate(page.states)}
         for name in page.inputs:
-            q = page.states[name]
-            given = {"unit": q.unit, "about": q.meaning, "within": q.within, "start": q.value, "is_set": True}
-            self.add(public_of(name), "INPUT", first + places[name], "input", "continuous", **given)
+            place = "INPUT", first + places[name], "input", "continuous"
+            self.add(public_of(name), *place, **settable(page.states[name]))
         for i, name in enumerate(world.states):
-            q = page.states[name]
-            given = {"unit": q.unit, "about": q.meaning, "within": q.within, "start": q.value, "is_set": True}
-            given |= {"initial": "exact", "depends": {name}}
-            if q.of and world.start_of and world.start_of not in q.of:
+            q, public = page.states[name], public_of(name)
+            given = settable(q, initial="exact", depends={name})
+            given["reinit"] = public not in self.steady_states.split()
+            is_computed = public in self.computed_states.split()
+            if is_computed or (q.of and world.start_of and world.start_of not in q.of):
                 given |= {"initial": "calculated", "start": None, "is_set": False}
-            if public_of(name) in self.computed_states.split():
-                given |= {"initial": "calculated", "start": None, "is_set": False, "within": {}}
-            given["reinit"] = public_of(name) not in self.steady_states.split()
-            self.add(public_of(name), "STATE", i, "output", "continuous", **given)
+                given["within"] = {} if is_computed else q.within
+            self.add(public, "STATE", i, "output", "continuous", **given)
         for name in world.starts:
-            q = page.states[name]
-            given = {
-                "unit": q.unit,
-                "about": f"Start value: {q.meaning}",
-                "within": q.within,
-                "start": q.value,
-            }
-            given |= {"initial": "exact", "is_set": True}
+            given = settable(page.states[name], initial="exact")
+            given["about"] = f"Start value: {given['about']}"
             self.add(f"start.{public_of(name)}", "START", places[name], "parameter", "fixed", **given)
         for i, name in enumerate(world.states):
             public, unit = public_of(name), per_second(page.states[name].unit or "1")
@@ -336,11 +317,10 @@ class Unit:
         for i, name in enumerate(self.guards):
             behind = self.guard_events.get(name, [name])
             function = self.page.events.get(behind[0]) or self.page.observed[behind[0]]
-            depends = set().union(*(self.of_guards[n] for n in behind))
+            depends = set().union(*(self.of_guards.get(n, set()) for n in behind))
             about = function.__doc__ or name
             about = f"{'' if behind[0] in self.page.events else 'rate of the '}{about[0].lower()}{about[1:]}"
-            given = {"about": f"Event indicator: {about}", "depends": depends}
-            given["initial"] = "calculated"
+            given = {"about": f"Event indicator: {about}", "depends": depends, "initial": "calculated"}
             self.add(f"guard.{name}", "GUARD", i, "local", "continuous", **given)
 
     def type_of(self, row):

@@ -132,12 +132,16 @@ class World:
         return found.items()
 
     def evaluated(self, nodes, numbers, weights):
-        """Numbers of expressions. A selection is a mixture, which depends on all that decides it."""
+        """Numbers of expressions. A selection is a mixture, which depends on all that decides it.
+
+        Constants that are very large or small are others of ordinary size, beside which no change is lost.
+        """
         found = {}
         for i, node in enumerate(nodes):
             of = [found[operand] for operand in node.operands]
             if node.operation == "number":
-                found[node] = float(node.value)
+                is_ordinary = node.value == 0 or 1e-3 <= abs(node.value) <= 1e3
+                found[node] = float(node.value) if is_ordinary else math.copysign(1 + weights[i], node.value)
             elif node.operation == "symbol":
                 found[node] = numbers[self.name_of(node)]
             elif node.operation in OPERATIONS:

@@ -16,6 +16,9 @@ from scipy.integrate import solve_ivp
 from unit_pages import Ball, Cart, Hopper, Yoyo, ball_at, units_of
 from unit_runs import UnitRun
 
+from c_core.hybrid import Model, cos, mode, output, parameter, select, sin, state
+from c_core.hybrid.page import Page
+from c_core.hybrid.unit import Unit
 from c_core.hybrid.unit_files import compile_unit, fmi_headers, write_unit
 
 INTERFACES = "ModelExchange", "CoSimulation"
@@ -174,7 +177,31 @@ def test_the_work_of_an_input_that_moves_between_events_is_accounted_for():
     assert gap_of(lambda _: 0.0, 100) < 1e-7
 
 
-# ---- derivatives ---------------------------------------------------------------------------------------
+# ---- dependencies and derivatives ----------------------------------------------------------------------
+
+
+class Cancelling(Model):
+    """A value far from the states that it depends on, and one whose terms cancel."""
+
+    start = "drift", {}
+    rate = parameter(1.0, "1/s")
+    x = state(1.0)
+    y = state(1.0)
+
+    @mode()
+    def drift(r):
+        return {"x": r.rate / r.y, "y": 2e-20 * r.rate * r.x}
+
+    far = output(of=lambda r: 1e18 - r.y)
+    cancelled = output(of=lambda r: sin(r.x) ** 2 + cos(r.x) ** 2 + abs(r.y))
+    selected = output(of=lambda r: select(r.x > 1e30, r.y, 0))
+
+
+def test_a_value_depends_on_what_can_change_it():
+    rows = {row.name: row.depends for row in Unit(Page(Cancelling)).rows}
+    found = {name: rows[name] for name in ("far", "cancelled", "selected", "der(x)", "der(y)")}
+    y = {"y"}
+    assert found == {"far": y, "cancelled": y, "selected": {"x", "y"}, "der(x)": y, "der(y)": {"x"}}
 
 
 @pytest.mark.parametrize("time", [0.1, 0.3, 0.45])

@@ -1,1 +1,1 @@
-#define FMU_GUID "{ba7e175c-a0ee-d5c5-c263-7b98d55281d7}"
+#define FMU_GUID "{04efb8f0-c9be-c164-19c4-33ebc7b44461}"
