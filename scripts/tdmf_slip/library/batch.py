@@ -8,156 +8,25 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..checks import checked_between, checked_whole
+from ..checks import checked_whole
 from ..errors import InputError
-from ..given import numbers_by, numbers_of, row_of
-from ..uninterrupted import in_block
+from ..given import row_of
 from ..variables.table import by_full_name
 from . import c_structs, own_runs
 from .batch_given import TOLERANCE as TOLERANCE
 from .batch_given import Given
 from .batch_tables import ends_table, recorded_table, strides_table
-from .c_structs import WIDTH
 from .engine import LAST_STRIDE, Engine
-from .laws import AffineLaw, CheckedLaw
 from .own_model import OwnModel
 from .return_map import Along, checked_direction
 from .returns import RunnerStrides
-from .settings import setting_number
 from .tables import Table
-
-LARGEST_BALL = 1e100
-"""Largest number in a ball's matrix."""
-WORK = ("strides", "events", "steps", "lane_steps", "evaluations", "layer_steps")
-"""Counters of the engine: strides closed, events taken and steps of all runners; lanes stepped, occupied or
-not; coefficients of series; steps shortened by a friction that falls with speed."""
-
-
-class Session:
-    """A request to the engine for a batch, which goes on, and what is set in each stride."""
-
-    def __init__(self, batch: Given) -> None:
-        self.batch = batch
-        law, single = batch.law, batch.is_single
-        threads = batch.threads or (1 if single or in_block() else os.cpu_count() or 1)
-        self.engine = Engine(batch, threads)
-        self.function: CheckedLaw | None = None
-        if isinstance(law, AffineLaw):
-            self.engine.obey(law.settings)
-        elif law is not None:
-            self.function = CheckedLaw(
-                law, batch.runner, batch.ground, tuple(batch.varied), tuple(batch.inputs)
-            )
-            self.engine.keep_checkpoints()
-        self.names: tuple[str, ...] = ()
-        self.values = np.empty((len(batch), 1, 0))
-        self.made: list[NDArray[np.float64]] = []
-        if batch.inputs and self.function is None:
-            width = max(rows.shape[1] for rows in batch.inputs.values())
-            self._set_by(tuple(batch.inputs), width)
-            for number, rows in enumerate(batch.inputs.values()):
-                self.values[..., number] = np.pad(rows, ((0, 0), (0, width - rows.shape[1])), "edge")
-
-    def _set_by(self, names: tuple[str, ...], width: int) -> None:
-        self.names = names
-        self.values = np.empty((len(self.batch), width, len(names)))
-        self.engine.set_by(
-            [setting_number(name, "settings", self.batch.model) for name in names], self.values
-        )
-
-    def settle(self, until: Any, near: float, balls: ArrayLike | None) -> None:
-        """Have runs end on gaits."""
-        batch, size = self.batch, self.batch.size
-        if batch.ground.segment_length:
-            raise InputError(
-                f"gaits on a terrain (segment_length = {batch.ground.segment_length:g} m), where no apex "
-                "comes back; allowed: one of the two"
-            )
-        batch.refuse_patches()
-        gaits = numbers_by("until", getattr(until, "apex", until), batch.runner.coordinates)
-        gaits = gaits.reshape(*[1] * (3 - gaits.ndim), *gaits.shape)
-        if gaits.ndim != 3 or gaits.shape[2] != size or gaits.shape[0] not in (1, len(batch)):
-            raise InputError(
-                f"until of shape {gaits.shape}; allowed: rows of {', '.join(batch.runner.coordinates)}"
-            )
-        if not np.isfinite(gaits).all():
-            raise InputError(f"until: {gaits.tolist()}: allowed: finite numbers")
-        wide = np.zeros((*gaits.shape[:2], WIDTH))
-        wide[..., :size] = gaits
-        matrices = None if balls is None else numbers_of("balls", balls)
-        if matrices is not None:
-            fits = matrices.shape == (gaits.shape[1], size, size)
-            if not fits or not np.all(np.abs(matrices) <= LARGEST_BALL):
-                raise InputError(
-                    f"balls: of shape {matrices.shape}; allowed: one for each gait, {size} by {size}, up to "
-                    f"{LARGEST_BALL:g}"
-                )
-        self.engine.settle_on(wide, checked_between("near", near, 0.0, np.inf), matrices)
-
-    def make(self, strides: int) -> dict[str, int]:
-        """Make strides, all at once or, by a function, one after the other."""
-        if self.function is None:
-            work = self.engine.advance(strides)
-            return {name: getattr(work, name) for name in WORK}
-        done = dict.fromkeys(WORK, 0)
-        for _ in range(strides):
-            self._set(self._asked(self.function))
-            self.made.append(self.values[:, 0].copy())
-            work = self.engine.advance(1)
-            done = {name: count + getattr(work, name) for name, count in done.items()}
-            if not self.engine.keep_checkpoints()["stands"].any():
-                break
-        return done
-
-    def _asked(self, function: CheckedLaw) -> dict[str, NDArray[np.float64]]:
-        """Settings of the next stride, from the inputs and from the function."""
-        engine, batch, stride = self.engine, self.batch, self.engine.made
-        if stride == 0:
-            apices, runs = batch.starts[:, : batch.size].copy(), np.full(len(batch), True)
-        else:
-            runs = engine.keep_checkpoints()["stands"]
-            apices = np.where(runs[:, None], engine.ends["apex"][:, : batch.size], np.nan)
-        given = {name: rows[:, min(stride, rows.shape[1] - 1)] for name, rows in batch.inputs.items()}
-        return given | function(apices, stride, runs)
-
-    def _set(self, settings: Mapping[str, ArrayLike]) -> None:
-        """Set the next stride, by names that the first call decides."""
-        if not self.names:
-            self._set_by(tuple(settings), 1)
-        elif set(settings) != set(self.names):
-            raise InputError(
-                f"settings: {', '.join(map(str, settings))}; allowed: {', '.join(self.names)}, as in the "
-                "first call"
-            )
-        values = self.values[:, 0]
-        for number, name in enumerate(self.names):
-            values[:, number] = settings[name]
-        self.engine.set_from(self.engine.made)
-
-    def step(self, settings: Mapping[str, ArrayLike] | None) -> None:
-        """One stride, without checks."""
-        if self.function is not None:
-            settings = {**self._asked(self.function), **(settings or {})}
-        if settings:
-            self._set(settings)
-        self.engine.record_next()
-        self.engine.advance(1)
-
-    def settings_made(self, strides: int) -> dict[str, NDArray[np.float64]]:
-        """Settings of each stride, by name, shape (runners, strides)."""
-        if not self.names:
-            return {}
-        values = np.stack(self.made, axis=1) if self.made else self.values
-        values = np.pad(values, ((0, 0), (0, max(0, strides - values.shape[1])), (0, 0)), "edge")
-        return {name: values[:, :strides, number] for number, name in enumerate(self.names)}
-
 
 ACCURACY = 1e-8
 """Largest error of a stride at `TOLERANCE`, of its apex over the scales of the section, and of its time,
@@ -221,7 +90,7 @@ class Batch(Given):
     [20 20] [1.063 1.068]
     """
 
-    _stepping: Session | None = None
+    _stepping: Engine | None = None
 
     def __getstate__(self) -> dict[str, Any]:
         """State without strides under way, whose memory belongs to this object."""
@@ -346,16 +215,15 @@ class Batch(Given):
             that had begun; those that are not complete have the fate `stopped`.
         """
         strides = checked_whole("strides", strides, 1, LAST_STRIDE)
-        session = Session(self)
+        engine = Engine(self)
         if until is None and balls is not None:
             raise InputError("balls without gaits; allowed: with until")
         if until is not None:
-            session.settle(until, near, balls)
+            engine.settle(until, near, balls)
         if record:
-            session.engine.record(strides)
-        work = session.make(strides)
-        engine = session.engine
-        recorded = recorded_table(self, engine, session.settings_made(strides)) if record else None
+            engine.record(strides)
+        work = engine.make(strides)
+        recorded = recorded_table(self, engine, engine.settings_made(strides)) if record else None
         return ends_table(self, engine, work, recorded)
 
     def step(self, settings: Mapping[str, ArrayLike] | None = None) -> NDArray[np.int32]:
@@ -373,35 +241,33 @@ class Batch(Given):
             Fates by `FATES`; a runner that has made its strides is `undecided`. The array is the batch's own,
             as are `apices` and `last`.
         """
-        session = self._stepping
-        if session is None:
-            session = self._stepping = Session(self)
-            session.engine.keep_checkpoints()
-            session.engine.record(1)
-        session.step(by_full_name(settings, "settings", "numbers or arrays by name", self.model.aliases))
-        fates: NDArray[np.int32] = session.engine.fates
-        return fates
+        engine = self._stepping
+        if engine is None:
+            engine = self._stepping = Engine(self)
+            engine.keep_checkpoints()
+            engine.record(1)
+        engine.step(by_full_name(settings, "settings", "numbers or arrays by name", self.model.aliases))
+        return engine.fates
 
     @property
     def apices(self) -> NDArray[np.float64]:
         """Apices that `step` has reached, shape (runners, n); the starts before its first call."""
-        apices = self.starts if self._stepping is None else self._stepping.engine.ends["apex"]
+        apices = self.starts if self._stepping is None else self._stepping.ends["apex"]
         return apices[:, : self.size]
 
     @property
     def last(self) -> NDArray[Any]:
         """Last strides of `step`, shape (runners,), in the fields of the library's `tdmf_ensemble_stride`."""
-        recorded = self._under_way().engine.recorded
+        recorded = self._under_way().recorded
         assert recorded is not None
         strides: NDArray[Any] = recorded[:, 0]
         return strides
 
     def save(self) -> NDArray[Any]:
         """States of all runners after `step`, shape (runners,): a structured array that can be indexed."""
-        states: NDArray[Any] = self._under_way().engine.save()
-        return states
+        return self._under_way().save()
 
-    def _under_way(self) -> Session:
+    def _under_way(self) -> Engine:
         if self._stepping is None:
             raise InputError("the batch has made no stride; allowed: after step or resume")
         return self._stepping
@@ -414,6 +280,6 @@ class Batch(Given):
         self.starts = np.repeat(self.starts[:1], len(states), axis=0)
         self.models, self.held, self.foot_x = self.models[:1], self.held[:1], None
         self.inputs = {name: row[:1] for name, row in self.inputs.items()}
-        session = self._stepping = Session(self)
-        session.engine.resume(states, stride)
-        session.engine.record(1)
+        engine = self._stepping = Engine(self)
+        engine.resume(states, stride)
+        engine.record(1)

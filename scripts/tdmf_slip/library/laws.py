@@ -8,7 +8,7 @@ import zlib
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, fields
 from functools import cached_property
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -18,7 +18,8 @@ from ..errors import InputError
 from ..given import numbers_of, row_of
 from ..record import without_record
 from ..variables.table import MODELS, Model, by_full_name, full_names, model_named
-from .engine import AffineSettings
+from .binding import c, ffi
+from .c_structs import WIDTH
 from .ground import LAST_RUNNER, LAST_SEED, MAX_STEPS, RoughGround
 from .runner import Runner
 from .section import REDUCED, Apex, checked_apex
@@ -115,20 +116,25 @@ class AffineLaw:
         return any(self.noise or ())
 
     @cached_property
-    def settings(self) -> AffineSettings:
-        """The law as the library takes it."""
-        return AffineSettings(
-            [setting_number(name, "inputs", self.model) for name in self.inputs],
-            [*self.apex],
-            {"nominal": self.nominal, "low": self.low, "high": self.high},
-            self.gain,
-            [*(self.noise or ())],
-            self.seed,
-        )
+    def in_c(self) -> tuple[Any, Mapping[str, Any]]:
+        """The law as the library's `tdmf_affine_law *`, and the arrays that it points to."""
+        gain = np.zeros((len(self.inputs), WIDTH))
+        gain[:, : len(self.apex)] = self.gain
+        numbers = [setting_number(name, "inputs", self.model) for name in self.inputs]
+        law = ffi.new("tdmf_affine_law *", {"count": len(numbers), "seed": self.seed})
+        law.apex[0 : len(self.apex)] = self.apex
+        law.noise[0 : len(self.apex)] = self.noise
+        arrays = {"settings": ffi.new("int[]", numbers), "gain": ffi.new(f"double[][{WIDTH}]", gain.tolist())}
+        arrays |= {
+            name: ffi.new("double[]", list(getattr(self, name))) for name in ("nominal", "low", "high")
+        }
+        for name, array in arrays.items():
+            setattr(law, name, array)
+        return law, arrays
 
     def __getstate__(self) -> dict[str, object]:
         """State without what the library takes, which holds addresses of this process."""
-        return {name: value for name, value in self.__dict__.items() if name != "settings"}
+        return {name: value for name, value in self.__dict__.items() if name != "in_c"}
 
     def __call__(
         self, apices: NDArray[np.float64], stride_number: int = 0, first_number: int = 0
@@ -149,8 +155,12 @@ class AffineLaw:
         dict of str to ndarray
             By the names of the settings, shape (runners,).
         """
-        runners = first_number + np.arange(len(apices))
-        values = self.settings.at(np.asarray(apices, float), runners, stride_number)
+        law, sections = self.in_c[0], np.zeros((len(apices), WIDTH))
+        sections[:, : len(self.apex)] = apices
+        values = np.empty((len(apices), len(self.inputs)))
+        for number, (section, row) in enumerate(zip(sections, values, strict=True), first_number):
+            begin, out = ffi.from_buffer("double[]", section), ffi.from_buffer("double[]", row)
+            c.tdmf_affine_settings(law, begin, number, stride_number, out)
         return dict(zip(self.inputs, values.T, strict=True))
 
     def inputs_at(self, apex: Apex, runner: int = 0, stride: int = 0) -> dict[str, float]:
