@@ -1,0 +1,194 @@
+/* Runs of a page in an ensemble are iterates of its return map, bit for bit, also under a law. */
+#include "compare.h"
+#include "crowd.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { RUNNERS = 11, STRIDES = 6, PARAMETERS = 32, STATES = 64, NOTED = 2, EVENTS = 4 };
+
+/* The classic SLIP: a point of its section is a height and an energy. */
+typedef struct {
+    const tdmf_page *page;
+    int section, angle; /* numbers of the section and of the touchdown angle */
+    double parameters[PARAMETERS], states[STATES];
+    double starts[RUNNERS][TDMF_POINT_LIMIT];
+    tdmf_ensemble_end ends[RUNNERS];
+    tdmf_ensemble_stride strides[RUNNERS][STRIDES];
+    tdmf_ensemble_checkpoint checkpoints[RUNNERS];
+    int noted[NOTED]; /* the coordinates */
+    double values[RUNNERS][STRIDES][NOTED];
+    unsigned char events[RUNNERS][STRIDES][EVENTS];
+    tdmf_ensemble_notes notes;
+    double nominal, low, high, gain[1][TDMF_POINT_LIMIT];
+    tdmf_affine_law law;
+    tdmf_ensemble_case its_case;
+    tdmf_ensemble ensemble;
+} hoppers;
+
+static int number_of(const tdmf_page *page, tdmf_page_item kind, const char *name) {
+    int number = 0;
+    while (strcmp(tdmf_page_name(page, kind, number), name) != 0) {
+        ++number;
+    }
+    return number;
+}
+
+/* Some of the heights are those of runners that fall or do not start. */
+static void prepare(hoppers *h) {
+    memset(h, 0, sizeof *h);
+    h->page = tdmf_page_named("classic_slip");
+    h->section = number_of(h->page, TDMF_PAGE_SECTION, "at_apex");
+    h->angle = number_of(h->page, TDMF_PAGE_PARAMETER, "touchdown_angle");
+    tdmf_page_defaults(h->page, h->parameters, h->states);
+    h->parameters[h->angle] = 0.78;
+    h->parameters[number_of(h->page, TDMF_PAGE_PARAMETER, "friction")] = 1e9;
+    for (int i = 0; i < RUNNERS; ++i) {
+        h->starts[i][0] = 0.6 + 0.14 * i;
+        h->starts[i][1] = 6000.0;
+    }
+    h->noted[0] = number_of(h->page, TDMF_PAGE_STATE, "apex_height");
+    h->noted[1] = number_of(h->page, TDMF_PAGE_STATE, "apex_energy");
+    h->notes = (tdmf_ensemble_notes){NOTED, h->noted, &h->values[0][0][0], EVENTS, &h->events[0][0][0]};
+    h->nominal = 0.78;
+    h->low = 0.7;
+    h->high = 0.9;
+    h->gain[0][0] = 0.02;
+    h->law = (tdmf_affine_law){.count = 1,
+                               .settings = &h->angle,
+                               .apex = {1.7, 6000.0},
+                               .nominal = &h->nominal,
+                               .gain = (const double(*)[TDMF_POINT_LIMIT])h->gain,
+                               .low = &h->low,
+                               .high = &h->high,
+                               .noise = {0.01},
+                               .seed = 3};
+    h->its_case = (tdmf_ensemble_case){
+        .parameters = h->parameters, .states = h->states, .rules = {.max_strides = STRIDES, .law = &h->law}};
+    h->ensemble = (tdmf_ensemble){.page = h->page,
+                                  .section = h->section,
+                                  .notes = &h->notes,
+                                  .cases = &h->its_case,
+                                  .case_count = 1,
+                                  .starts = (const double(*)[TDMF_POINT_LIMIT])h->starts,
+                                  .count = RUNNERS,
+                                  .relative_tolerance = 1e-11,
+                                  .threads = 2,
+                                  .strides = &h->strides[0][0],
+                                  .stride_count = STRIDES,
+                                  .checkpoints = h->checkpoints};
+}
+
+/* Iterates the return map. Returns how many strides close. */
+static int iterate(hoppers *h, int runner, tdmf_page_outcome *last) {
+    double point[TDMF_POINT_LIMIT], states[STATES], parameters[PARAMETERS];
+    tdmf_page_event rows[EVENTS];
+    memcpy(point, h->starts[runner], sizeof point);
+    for (int stride = 0; stride < STRIDES; ++stride) {
+        memcpy(parameters, h->parameters, sizeof parameters);
+        if (h->its_case.rules.law) {
+            tdmf_affine_settings(&h->law, point, (uint64_t)runner, (uint32_t)stride, &parameters[h->angle]);
+            assert_true(h->strides[runner][stride].set[0] == parameters[h->angle]);
+        }
+        const tdmf_page_map map = {.page = h->page,
+                                   .section = h->section,
+                                   .parameters = parameters,
+                                   .states = h->states,
+                                   .tolerance = h->ensemble.relative_tolerance,
+                                   .longest = 1e4,
+                                   .event_room = EVENTS,
+                                   .events = rows};
+        const tdmf_page_end end = tdmf_page_stride(&map, point, states, NULL);
+        *last = end.outcome;
+        if (end.outcome != TDMF_PAGE_CROSSED) {
+            return stride;
+        }
+        for (int i = 0; i < NOTED; ++i) {
+            point[i] = states[h->noted[i]];
+            assert_true(h->values[runner][stride][i] == point[i]);
+            assert_true(h->strides[runner][stride].apex[i] == point[i]);
+        }
+        assert_true(h->strides[runner][stride].stride.period == end.time);
+        for (int i = 0; i < EVENTS && i < end.event_count; ++i) {
+            assert_int_equal(h->events[runner][stride][i], rows[i].event + 1);
+        }
+    }
+    return STRIDES;
+}
+
+static void assert_iterates(hoppers *h) {
+    int closed = 0, fell = 0;
+    for (int i = 0; i < RUNNERS; ++i) {
+        tdmf_page_outcome last;
+        const int strides = iterate(h, i, &last);
+        assert_int_equal(h->ends[i].strides, strides);
+        assert_int_equal(h->ends[i].fate == TDMF_FATE_FELL, last == TDMF_PAGE_ENDED);
+        assert_int_equal(h->ends[i].fate == TDMF_FATE_UNDECIDED, last == TDMF_PAGE_CROSSED);
+        closed += strides;
+        fell += last == TDMF_PAGE_ENDED;
+    }
+    assert_true(closed > 2 * STRIDES && fell > 0 && fell < RUNNERS);
+}
+
+TEST(runs_of_a_page_are_iterates_of_its_return_map) {
+    static hoppers h;
+    for (int follows = 0; follows < 2; ++follows) {
+        prepare(&h);
+        h.its_case.rules.law = follows ? &h.law : NULL;
+        assert_true(tdmf_run_ensemble(&h.ensemble, h.ends, NULL));
+        assert_iterates(&h);
+    }
+}
+
+TEST(runs_of_a_page_go_on_from_where_they_stand) {
+    static hoppers h;
+    prepare(&h);
+    h.its_case.rules.max_strides = 2;
+    assert_true(tdmf_run_ensemble(&h.ensemble, h.ends, NULL));
+    h.its_case.rules.max_strides = STRIDES;
+    h.ensemble.goes_on = true;
+    assert_true(tdmf_run_ensemble(&h.ensemble, h.ends, NULL));
+    assert_iterates(&h);
+}
+
+TEST(runs_settle_at_a_fixed_point_of_the_page) {
+    static hoppers h;
+    prepare(&h);
+    double gait[1][TDMF_POINT_LIMIT] = {{h.starts[3][0], h.starts[3][1]}};
+    h.its_case.rules.law = NULL;
+    h.its_case.rules.gaits = (const double(*)[TDMF_POINT_LIMIT])gait;
+    h.its_case.rules.gait_count = 1;
+    h.its_case.rules.distance = 1e9;
+    assert_true(tdmf_run_ensemble(&h.ensemble, h.ends, NULL));
+    for (int i = 0; i < RUNNERS; ++i) {
+        assert_int_equal(h.ends[i].fate == TDMF_FATE_SETTLED, h.ends[i].strides == 1);
+    }
+}
+
+#define REFUSED(change)                                                                                      \
+    do {                                                                                                     \
+        prepare(&h);                                                                                         \
+        change;                                                                                              \
+        assert_false(tdmf_run_ensemble(&h.ensemble, h.ends, NULL));                                          \
+    } while (0)
+
+TEST(requests_that_a_page_cannot_meet_are_refused) {
+    static hoppers h;
+    const double foot[RUNNERS] = {0.0};
+    int unknown = PARAMETERS + STATES;
+    REFUSED(h.ensemble.section = -1);
+    REFUSED(h.ensemble.section = 99);
+    REFUSED(h.ensemble.foot_x = foot);
+    REFUSED(h.its_case.parameters = NULL);
+    REFUSED(h.its_case.states = NULL);
+    REFUSED(h.its_case.rules.roughness = 0.1);
+    REFUSED(h.its_case.rules.friction_spread = 0.1);
+    REFUSED(h.its_case.rules.terrain.length = 1.0);
+    REFUSED(h.notes.states = NULL);
+    REFUSED(h.notes.values = NULL);
+    REFUSED(h.notes.events = NULL);
+    REFUSED(h.noted[1] = -1);
+    REFUSED(h.law.settings = &unknown);
+    REFUSED(h.law.noise[2] = 0.1);
+    REFUSED(h.high = NAN);
+}
