@@ -79,6 +79,10 @@ static void prepare(hoppers *h) {
                                   .checkpoints = h->checkpoints};
 }
 
+static void run(hoppers *h) {
+    assert_int_equal(tdmf_run_ensemble(&h->ensemble, h->ends, NULL).code, TDMF_ACCEPTED);
+}
+
 /* Iterates the return map. Returns how many strides close. */
 static int iterate(hoppers *h, int runner, tdmf_page_outcome *last) {
     double point[TDMF_POINT_LIMIT], states[STATES], parameters[PARAMETERS];
@@ -135,7 +139,7 @@ TEST(runs_of_a_page_are_iterates_of_its_return_map) {
     for (int follows = 0; follows < 2; ++follows) {
         prepare(&h);
         h.its_case.rules.law = follows ? &h.law : NULL;
-        assert_true(tdmf_run_ensemble(&h.ensemble, h.ends, NULL));
+        run(&h);
         assert_iterates(&h);
     }
 }
@@ -144,10 +148,10 @@ TEST(runs_of_a_page_go_on_from_where_they_stand) {
     static hoppers h;
     prepare(&h);
     h.its_case.rules.max_strides = 2;
-    assert_true(tdmf_run_ensemble(&h.ensemble, h.ends, NULL));
+    run(&h);
     h.its_case.rules.max_strides = STRIDES;
     h.ensemble.goes_on = true;
-    assert_true(tdmf_run_ensemble(&h.ensemble, h.ends, NULL));
+    run(&h);
     assert_iterates(&h);
 }
 
@@ -159,7 +163,7 @@ TEST(runs_settle_at_a_fixed_point_of_the_page) {
     h.its_case.rules.gaits = (const double(*)[TDMF_POINT_LIMIT])gait;
     h.its_case.rules.gait_count = 1;
     h.its_case.rules.distance = 1e9;
-    assert_true(tdmf_run_ensemble(&h.ensemble, h.ends, NULL));
+    run(&h);
     for (int i = 0; i < RUNNERS; ++i) {
         assert_int_equal(h.ends[i].fate == TDMF_FATE_SETTLED, h.ends[i].strides == 1);
     }
@@ -169,7 +173,7 @@ TEST(runs_settle_at_a_fixed_point_of_the_page) {
     do {                                                                                                     \
         prepare(&h);                                                                                         \
         change;                                                                                              \
-        assert_false(tdmf_run_ensemble(&h.ensemble, h.ends, NULL));                                          \
+        assert_true(tdmf_run_ensemble(&h.ensemble, h.ends, NULL).code != TDMF_ACCEPTED);                     \
     } while (0)
 
 TEST(requests_that_a_page_cannot_meet_are_refused) {

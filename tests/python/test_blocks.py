@@ -25,7 +25,7 @@ from tdmf_slip.cli import interrupts
 from tdmf_slip.cli import workers as options
 from tdmf_slip.feedback import judgement
 from tdmf_slip.fmu import batch
-from tdmf_slip.fmu.instance import opened
+from tdmf_slip.fmu.instance import Experiment, opened
 from tdmf_slip.library.batch import Batch
 from tdmf_slip.uninterrupted import check_stop
 from tdmf_slip.viable_sets import grid
@@ -297,7 +297,7 @@ def test_each_instance_keeps_its_own_messages(fmu):
         del newer
         gc.collect()
         with pytest.raises(InputError, match=r"leg\.length = 0\.01"):
-            older.start({"leg.length": 0.01})
+            older.simulate(Experiment(1.0, 1e-6, 0.1, {"leg.length": 0.01}), lambda *_: True)
     assert "leg.length" in older.messages[0] and "leg.length" not in str(kept)
 
 

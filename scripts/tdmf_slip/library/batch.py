@@ -233,7 +233,7 @@ class Batch(Given):
         ----------
         settings : mapping of str to array_like, optional
             What is set for this stride, by the names that the first call had: a number each, or one for each
-            runner. The engine refuses numbers out of range with a `MemoryError`.
+            runner. The engine refuses numbers out of range.
 
         Returns
         -------
