@@ -104,7 +104,8 @@ def test_both_interfaces_agree_on_random_runs(seed):
     exchange, simulation = played("me", seed), played("cs", seed)
     for name in RESULTS:
         value = simulation[name]
-        expected = value if isinstance(value, str) else pytest.approx(value, rel=1e-8, abs=1e-8)
+        error = 3e-6 if name == "spring.force" else 1e-8  # a stiffness of up to 300 N/m times a place
+        expected = value if isinstance(value, str) else pytest.approx(value, rel=1e-8, abs=error)
         assert exchange[name] == expected, name
 
 
