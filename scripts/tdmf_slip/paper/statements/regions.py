@@ -10,7 +10,6 @@ from numpy.typing import NDArray
 
 from ...analysis.attraction import DISTURBED, FARTHEST, Robustness, robustness, volume
 from ...analysis.basin import basin
-from ...analysis.first_passage import strides_to_fall
 from ...analysis.search import periodic_gait
 from ...errors import RunError
 from ...feedback.gains import Feedback, dead_beat, lqr
@@ -51,7 +50,7 @@ from .claim import (
     stable_gait,
 )
 from .gaits import swept
-from .rough_ground import LOW, RATE, faster, foot, runner_on
+from .rough_ground import LOW, RATE, faster, foot, mean_strides, runner_on
 
 if TYPE_CHECKING:
     import xarray
@@ -291,7 +290,7 @@ ANGLE_REACH, TORQUE_REACH = 0.1, 0.5
 """Largest change of a setting: rad, and as a share of the gait's own torque."""
 NOISE = 0.01
 """Standard deviation of the sensors' noise, over the scales of the section; smaller where steps are."""
-RUNNERS, MAX_STRIDES = 256, 400
+MAX_STRIDES = 400
 
 
 @cache
@@ -314,23 +313,18 @@ def _limits(one: Gait) -> dict[str, tuple[float, float]]:
     return {ANGLE: (angle - ANGLE_REACH, angle + ANGLE_REACH), TORQUE: (torque - reach, torque + reach)}
 
 
-@cache
-def _passage(
-    regime: Regime, friction: float, design: Design | None, reference: float | None, seed: int
-) -> Estimate:
-    one = runner_on(regime, friction, reference)
-    law = None
-    if design is not None:
-        noise = (NOISE * regime.step * one.runner.scales).tolist()
-        law = replace(design(regime, friction), noise=noise, seed=seed)
-    ground = RoughGround(LOW * regime.step, 3 * seed + (design is not None) + 2 * (reference is not None))
-    found = strides_to_fall(one.runner, ground, RUNNERS, max_strides=MAX_STRIDES, gait=one, law=law)
-    return Estimate.of_strides(found)
-
-
 def _strides(friction: float, design: Design | None = None, reference: float | None = None) -> Measure:
     """Mean number of strides until the fall on steps."""
-    return lambda regime, seed: _passage(regime, friction, design, reference, seed)
+
+    def measure(regime: Regime, seed: int) -> Estimate:
+        one, law = runner_on(regime, friction, reference), None
+        if design is not None:
+            noise = (NOISE * regime.step * one.runner.scales).tolist()
+            law = replace(design(regime, friction), noise=noise, seed=seed)
+        ground = RoughGround(LOW * regime.step, 3 * seed + (design is not None) + 2 * (reference is not None))
+        return mean_strides(one, ground, max_strides=MAX_STRIDES, law=law)
+
+    return measure
 
 
 FEEDBACK_CHECKS = {

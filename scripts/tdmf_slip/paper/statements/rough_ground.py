@@ -6,10 +6,11 @@ from functools import cache
 
 from scipy.stats import binomtest
 
-from ...analysis.first_passage import FirstPassage, strides_to_fall
+from ...analysis.first_passage import strides_to_fall
 from ...analysis.rare_falls import rare_falls
 from ...library.gait import Gait
 from ...library.ground import RoughGround, correlated_weights
+from ...library.laws import AffineLaw
 from ...library.runner import Runner
 from ..matched import falls_on_patch
 from .claim import (
@@ -61,10 +62,16 @@ def runner_on(regime: Regime, friction: float, reference: float | None) -> Gait:
 
 
 @cache
-def falls(regime: Regime, friction: float, reference: float | None, ground: RoughGround) -> FirstPassage:
-    """Run all runners until they fall or have made `MAX_STRIDES` strides."""
-    one = runner_on(regime, friction, reference)
-    return strides_to_fall(one.runner, ground, RUNNERS, max_strides=MAX_STRIDES, gait=one)
+def mean_strides(
+    one: Gait,
+    ground: RoughGround,
+    runners: int = RUNNERS,
+    max_strides: int = MAX_STRIDES,
+    law: AffineLaw | None = None,
+) -> Estimate:
+    """Mean number of strides until the fall of runners that begin on a gait."""
+    found = strides_to_fall(one.runner, ground, runners, max_strides=max_strides, gait=one, law=law)
+    return Estimate.of_strides(found)
 
 
 def strides(
@@ -86,7 +93,7 @@ def strides(
             segment_length=segment,
             trips=trips,
         )
-        return Estimate.of_strides(falls(regime, friction, reference, ground))
+        return mean_strides(runner_on(regime, friction, reference), ground)
 
     return measure
 
@@ -242,14 +249,9 @@ def slip(which: Which) -> Measure:
 def strides_of(which: Which) -> Measure:
     """Mean number of strides until the fall on steps."""
 
-    @cache
     def measure(regime: Regime, seed: int) -> Estimate:
-        one = which(regime, SLIPS, None)
         ground = RoughGround(LOW * regime.step, 2 * seed + (which is not plain))
-        found = strides_to_fall(
-            one.runner, ground, RETRACTING_RUNNERS, max_strides=RETRACTING_STRIDES, gait=one
-        )
-        return Estimate.of_strides(found)
+        return mean_strides(which(regime, SLIPS, None), ground, RETRACTING_RUNNERS, RETRACTING_STRIDES)
 
     return measure
 
