@@ -24,36 +24,6 @@ static void logger(fmi2ComponentEnvironment environment, fmi2String instance, fm
 
 const fmi2CallbackFunctions importer_callbacks = {.logger = logger};
 
-/* ---- what fmi_interface.h has for either version ------------------------------------------------------- */
-
-fmi2Component new_instance(void) {
-    return new_of_kind(&fmi2, EXCHANGE);
-}
-
-fmi2Component new_slave(void) {
-    return new_of_kind(&fmi2, STEPS);
-}
-
-fmi2Status set_real(fmi2Component component, const char *name, double value) {
-    return (fmi2Status)set_value(&fmi2, component, name, value);
-}
-
-double get_real(fmi2Component component, const char *name) {
-    return value_of(&fmi2, component, name);
-}
-
-int get_integer(fmi2Component component, const char *name) {
-    return integer_of(&fmi2, component, name);
-}
-
-void initialize(fmi2Component component) {
-    initialize_unit(&fmi2, component);
-}
-
-void start_running(fmi2Component component) {
-    begin(&fmi2, component, EXCHANGE);
-}
-
 /* ---- the table ---------------------------------------------------------------------------------------- */
 
 static void *instantiate(fmi_kind kind, const char *name, const char *token, bool has_logger, bool logging) {

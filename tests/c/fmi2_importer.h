@@ -11,18 +11,14 @@
 
 extern const fmi2CallbackFunctions importer_callbacks;
 
-/* A fresh instance for Model Exchange or Co-Simulation until the end of the test, event logging off; asserts
- * that there is one. */
-fmi2Component new_instance(void);
-fmi2Component new_slave(void);
-
-fmi2Status set_real(fmi2Component component, const char *name, double value);
-double get_real(fmi2Component component, const char *name);
-int get_integer(fmi2Component component, const char *name);
-
-/* Through initialization into event mode, and on into continuous-time mode; asserts fmi2OK. */
-void initialize(fmi2Component component);
-void start_running(fmi2Component component);
+/* What fmi_interface.h has for either version. Continuous-time mode is where `start_running` ends. */
+#define new_instance()            new_of_kind(&fmi2, EXCHANGE)
+#define new_slave()               new_of_kind(&fmi2, STEPS)
+#define set_real(instance, ...)   ((fmi2Status)set_value(&fmi2, instance, __VA_ARGS__))
+#define get_real(instance, name)  value_of(&fmi2, instance, name)
+#define get_whole(instance, name) integer_of(&fmi2, instance, name)
+#define initialize(instance)      initialize_unit(&fmi2, instance)
+#define start_running(instance)   begin(&fmi2, instance, EXCHANGE)
 
 /* Real start values: parameters and a tolerance, inputs, and states. */
 enum { START_VALUES = TDMF_PARAMETER_COUNT + TDMF_INPUT_COUNT + 1 + TDMF_MECHANICAL_COUNT };

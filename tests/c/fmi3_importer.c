@@ -10,45 +10,14 @@ void importer_logger(fmi3InstanceEnvironment environment, fmi3Status status, fmi
     record_message(category, message);
 }
 
-static fmi3Instance without_events(fmi3Instance instance) {
+fmi3Instance new_stepper(bool event_mode, bool early_return) {
+    clear_messages();
+    fmi3Instance instance = fmi3InstantiateCoSimulation("runner", FMU_GUID, NULL, false, true, event_mode,
+                                                        early_return, NULL, 0, NULL, importer_logger, NULL);
     assert_non_null(instance);
     free_after_test(instance, fmi3FreeInstance);
     assert_int_equal(fmi3SetDebugLogging(instance, false, 1, events_category), fmi3OK);
     return instance;
-}
-
-fmi3Instance new_exchange(void) {
-    clear_messages();
-    return without_events(
-        fmi3InstantiateModelExchange("runner", FMU_GUID, NULL, false, true, NULL, importer_logger));
-}
-
-fmi3Instance new_stepper(bool event_mode, bool early_return) {
-    clear_messages();
-    return without_events(fmi3InstantiateCoSimulation("runner", FMU_GUID, NULL, false, true, event_mode,
-                                                      early_return, NULL, 0, NULL, importer_logger, NULL));
-}
-
-/* ---- what fmi_interface.h has for either version ------------------------------------------------------- */
-
-fmi3Status set_float(fmi3Instance instance, const char *name, double value) {
-    return (fmi3Status)set_value(&fmi3, instance, name, value);
-}
-
-double get_float(fmi3Instance instance, const char *name) {
-    return value_of(&fmi3, instance, name);
-}
-
-int get_int(fmi3Instance instance, const char *name) {
-    return integer_of(&fmi3, instance, name);
-}
-
-int get_enumeration(fmi3Instance instance, const char *name) {
-    return integer_of(&fmi3, instance, name);
-}
-
-void initialize3(fmi3Instance instance) {
-    initialize_unit(&fmi3, instance);
 }
 
 /* ---- calls with many answers -------------------------------------------------------------------------- */

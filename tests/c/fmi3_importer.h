@@ -10,16 +10,14 @@ void importer_logger(fmi3InstanceEnvironment environment, fmi3Status status, fmi
                      fmi3String message);
 
 /* A fresh instance until the end of the test, event logging off; asserts that there is one. */
-fmi3Instance new_exchange(void);
 fmi3Instance new_stepper(bool event_mode, bool early_return);
 
-fmi3Status set_float(fmi3Instance instance, const char *name, double value);
-double get_float(fmi3Instance instance, const char *name);
-int get_int(fmi3Instance instance, const char *name);
-int get_enumeration(fmi3Instance instance, const char *name);
-
-/* Through initialization; asserts fmi3OK. */
-void initialize3(fmi3Instance instance);
+/* What fmi_interface.h has for either version. */
+#define new_exchange()            new_of_kind(&fmi3, EXCHANGE)
+#define set_float(instance, ...)  ((fmi3Status)set_value(&fmi3, instance, __VA_ARGS__))
+#define get_float(instance, name) value_of(&fmi3, instance, name)
+#define get_int(instance, name)   integer_of(&fmi3, instance, name)
+#define initialize3(instance)     initialize_unit(&fmi3, instance)
 
 fmi3Status update(fmi3Instance instance, update_answer *answer);
 fmi3Status do_step(fmi3Instance instance, double time, double step, step_answer *answer);

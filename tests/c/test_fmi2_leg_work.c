@@ -101,7 +101,7 @@ static flight fly(int step_count, extension_at extension) {
         }
         flown.gap = fmax(flown.gap, fabs(gap(component, energy)));
     }
-    assert_int_equal(get_integer(component, "contact.mode"), TDMF_CONTACT_FLIGHT);
+    assert_int_equal(get_whole(component, "contact.mode"), TDMF_CONTACT_FLIGHT);
     flown.work = get_real(component, "leg.work");
     return flown;
 }

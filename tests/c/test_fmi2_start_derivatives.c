@@ -123,8 +123,8 @@ static fmi2Component begun(const start *start, double time) {
     set_start_values(&fmi2, component, start);
     assert_int_equal(fmi2SetupExperiment(component, fmi2False, 0.0, time, fmi2False, 0.0), fmi2OK);
     assert_int_equal(fmi2EnterInitializationMode(component), fmi2OK);
-    assert_int_equal(get_integer(component, "contact.mode"), start->contact);
-    assert_int_equal(get_integer(component, "hip.phase"), start->phase);
+    assert_int_equal(get_whole(component, "contact.mode"), start->contact);
+    assert_int_equal(get_whole(component, "hip.phase"), start->phase);
     return component;
 }
 

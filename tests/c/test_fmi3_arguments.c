@@ -141,12 +141,12 @@ TEST(counts_of_work_end_at_the_largest_integer) {
     instance *inside = component;
     initialize(component);
     assert_int_equal(fmi2DoStep(component, 0.0, 1.0, fmi2True), fmi2OK);
-    assert_true(get_integer(component, "solver.steps") > 0);
+    assert_true(get_whole(component, "solver.steps") > 0);
     inside->fmu.work[WORK_STEPS] = (int64_t)INT_MAX + 1;
     inside->fmu.work[WORK_EVALUATIONS] = INT64_MAX;
     discard_view(inside);
-    assert_int_equal(get_integer(component, "solver.steps"), INT_MAX);
-    assert_int_equal(get_integer(component, "solver.evaluations"), INT_MAX);
+    assert_int_equal(get_whole(component, "solver.steps"), INT_MAX);
+    assert_int_equal(get_whole(component, "solver.evaluations"), INT_MAX);
 }
 
 /* Out of memory, say: enumerations have no value 0, and there is a start to read. */
@@ -156,8 +156,8 @@ TEST(an_instance_that_fails_before_its_run_shows_its_start) {
     fmi2Component component = new_slave();
     instance *inside = component;
     inside->state = FAILED;
-    assert_int_equal(get_integer(component, "contact.mode"), TDMF_CONTACT_FLIGHT);
-    assert_int_equal(get_integer(component, "hip.phase"), TDMF_PHASE_PLACE);
+    assert_int_equal(get_whole(component, "contact.mode"), TDMF_CONTACT_FLIGHT);
+    assert_int_equal(get_whole(component, "hip.phase"), TDMF_PHASE_PLACE);
     inside->state = INSTANTIATED;
     assert_int_equal(set_real(component, "leg.min_length", 2.0), fmi2OK);
     inside->state = FAILED;
@@ -174,7 +174,7 @@ TEST(event_mode_is_entered_with_the_force_noted) {
     set_values(&fmi2, component,
                "foot.y=0.0 foot.vx=0.0 foot.vy=0.0 leg.angle=0.1 leg.length=0.9 ground.friction=10.0");
     start_running(component);
-    assert_int_equal(get_integer(component, "contact.mode"), TDMF_CONTACT_STICK);
+    assert_int_equal(get_whole(component, "contact.mode"), TDMF_CONTACT_STICK);
     assert_int_equal(fmi2GetContinuousStates(component, states, TDMF_STATE_COUNT), fmi2OK);
     const double before = get_real(component, "contact.fy");
     states[TDMF_LEG_LENGTH] = 0.7;
