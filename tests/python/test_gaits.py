@@ -11,7 +11,7 @@ import pytest
 from conftest import CLAMPED, reference_gaits, release
 from tdmf_slip import Batch, InputError, RunError, Runner, find_gait
 from tdmf_slip.analysis import sweeps
-from tdmf_slip.analysis.along import borders_between, gaits_over
+from tdmf_slip.analysis.along import gaits_over
 from tdmf_slip.analysis.search import periodic_gait
 from tdmf_slip.analysis.sweeps import gait_at, sweep
 from tdmf_slip.library.engine import FATES
@@ -132,7 +132,8 @@ def test_every_border_lies_between_its_words(runner, swept):
         near = find_gait(runner.replace({FRICTION: border.value * (1.0 + 1e-7)}))
         beyond = next(gaits_over(runner, FRICTION, [border.value * (1.0 - 1e-7)], near))
         assert (near.word, beyond.word) == (border.before, border.after)
-        assert borders_between(runner, FRICTION, near, beyond)[0][0] == pytest.approx(border.value, rel=1e-9)
+        within = sweep(runner, {FRICTION: [near.friction, beyond.friction]}).borders[FRICTION]
+        assert within.values == pytest.approx([border.value], rel=1e-9)
 
 
 def test_the_ledger_of_a_gait_closes(swept):
@@ -243,7 +244,7 @@ def test_a_border_that_is_not_located_loses_no_gait(runner, monkeypatch):
     def none(*_):
         raise RunError("not located")
 
-    monkeypatch.setattr(sweeps, "borders_between", none)
+    monkeypatch.setattr(sweeps, "crossings", none)
     found = sweep(runner, {FRICTION: [0.6, 0.45]}).gaits
     assert (found["word"] != "").all() and found["problem"].item() == "not located"
 

@@ -7,7 +7,7 @@ import pickle
 import numpy as np
 import pytest
 from tdmf_slip import Batch, InputError, RunError, Runner, basin, find_gait
-from tdmf_slip.analysis import along, attraction
+from tdmf_slip.analysis import attraction
 from tdmf_slip.analysis.stability import stability
 from tdmf_slip.library.binding import c, ffi
 from tdmf_slip.library.engine import FATES
@@ -115,8 +115,6 @@ def test_a_sweep_has_the_borders_of_the_reduced_map():
         assert beside == [border.before, border.after]
     words = [found.borders[0].before, *(border.after for border in found.borders)]
     assert words == ["+0+", "+0-0+", "+0-+", "+0-"]
-    one = along.borders_between(reduced(), "ground.friction", found.gaits[2], found.gaits[3])
-    assert one == [tuple(border) for border in found.borders[1:]]
 
 
 def test_runners_by_the_map_end_where_strides_in_turn_lead():

@@ -24,7 +24,7 @@ from tdmf_slip import (
     sweep,
 )
 from tdmf_slip.analysis import attraction
-from tdmf_slip.analysis.along import borders_between, gaits_over
+from tdmf_slip.analysis.along import gaits_over
 from tdmf_slip.analysis.basin import range_around
 from tdmf_slip.analysis.search import periodic_gait
 from tdmf_slip.analysis.stability import stability
@@ -76,7 +76,6 @@ REFUSED = [
     (lambda r, g: sweep(r, {"ground.friction": [0.3], "solver.relative_tolerance": [0.2]}), "."),
     (lambda r, g: next(gaits_over(r, FRICTION, 0.3, g)), "."),
     (lambda r, g: next(gaits_over(r, FRICTION, [0.3], r)), "."),
-    (lambda r, g: borders_between(r, FRICTION, r, g), "."),
     (lambda r, g: basin(r, dict.fromkeys(RANGES, 1.0)), "."),
     (lambda r, g: basin(r, RANGES, 2, path="missing/map.nc"), "."),
     (lambda r, g: range_around(r, "com_height"), "."),

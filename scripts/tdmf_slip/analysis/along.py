@@ -1,8 +1,8 @@
-"""Gaits along a parameter: a branch followed at given values, and the borders between their words."""
+"""Gaits along a parameter: a branch followed at given values."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from itertools import pairwise
 
 import numpy as np
@@ -14,7 +14,7 @@ from ..library.runner import Runner
 from ..numerics.following import SHORTEST_STEP, Limits, Point, follow
 from ..variables.variable import Given, Values
 from .gait_problem import BranchProblem
-from .special_points import FOLD, border_between, crossings, special_points
+from .special_points import FOLD, special_points
 
 MAX_STEP = 0.2
 """Longest step over the scales, where the parameter itself does not change by more."""
@@ -23,11 +23,7 @@ MAX_POINTS = 200
 
 
 def gaits_over(
-    runner: Runner | Mapping[str, Given],
-    name: str,
-    values: Values,
-    first: Gait,
-    step_finished: Callable[[], object] = lambda: None,
+    runner: Runner | Mapping[str, Given], name: str, values: Values, first: Gait
 ) -> Iterator[Gait]:
     """The gait at each value, each from the one before, by steps along the branch where they are far apart.
 
@@ -36,11 +32,15 @@ def gaits_over(
     check_is_gait(first, "first")
     row = row_of(values, "values", f"a row of values of {name}")
     problem = BranchProblem(runner, name, first.strides)
-    point = problem.start(first, problem.towards(1.0))
-    for value in row:
-        point = to_value(problem, point, problem.runner.replace({name: value})[name])
+    for point in points_over(problem, problem.start(first, problem.towards(1.0)), row):
         yield point.gait
-        step_finished()
+
+
+def points_over(problem: BranchProblem, point: Point, values: Iterable[float]) -> Iterator[Point]:
+    """The branch's point at each value, each from the one before; RunError as of `gaits_over`."""
+    for value in values:
+        point = to_value(problem, point, problem.runner.replace({problem.name: value})[problem.name])
+        yield point
 
 
 def to_value(problem: BranchProblem, point: Point, value: float) -> Point:
@@ -86,17 +86,3 @@ def _fold(problem: BranchProblem, points: list[Point]) -> float | None:
             folds = [one.value for one in special_points(problem, before, after) if one.kind == FOLD]
             return folds[0] if folds else 0.5 * (problem.value(before) + problem.value(after))
     return None
-
-
-def borders_between(
-    runner: Runner | Mapping[str, Given], name: str, first: Gait, last: Gait
-) -> list[tuple[float, str, str]]:
-    """All changes of the word from one gait to another of the same branch: value, word before, word after."""
-    check_is_gait(first, "first")
-    check_is_gait(last, "last")
-    problem = BranchProblem(runner, name)
-    way = problem.at(last) - problem.at(first)
-    return [
-        (border_between(problem, short, beyond), short.gait.word, beyond.gait.word)
-        for short, beyond in crossings(problem, problem.start(first, way), problem.start(last, way))
-    ]

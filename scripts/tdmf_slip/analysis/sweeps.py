@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from concurrent.futures import Executor
 from functools import partial
 from itertools import pairwise, product
@@ -23,14 +23,17 @@ from ..library.members import check_has_gaits, check_varied
 from ..library.runner import Runner
 from ..library.shared_steps import shares_steps
 from ..library.strides import BETWEEN_WORDS, strides_from
+from ..numerics.following import Point
 from ..record import dataset, runner_in
 from ..terminal.progress import progress_bar
 from ..variables.parameters import RunnerLike
 from ..variables.table import FRICTION, Model, by_full_name, model_named
 from ..variables.variable import Given, Values
-from .along import borders_between, gaits_over
+from .along import points_over
+from .gait_problem import BranchProblem
 from .in_blocks import in_blocks
 from .search import first_gait
+from .special_points import border_between, crossings
 
 if TYPE_CHECKING:
     import xarray
@@ -281,8 +284,9 @@ def _row(
     runner: Runner, name: str, values: Values, step_finished: Callable[[int], object] = lambda _: None
 ) -> dict[str, Any]:
     """Arrays of a row: its branches one after the other, each with its gaits and borders."""
+    problem = BranchProblem(runner, name)
     gaits: list[Gait | None] = [None] * len(values)
-    branches, problems, borders = np.full(len(values), np.nan), [], []
+    branches, problems, borders = np.full(len(values), np.nan), [], list[tuple[float, str, str]]()
     began, ended = (np.full(len(values), "", dtype=object) for _ in range(2))
     end = number = 0
     while end < len(values):
@@ -294,20 +298,21 @@ def _row(
         if first is None:
             problems.append(why)
             break
-        back, why_not_before = _followed(runner, name, values[end:start][::-1], first, step_finished)
-        forth, why_not_after = _followed(runner, name, values[start:], first, step_finished)
+        point = problem.start(first, problem.towards(1.0))
+        back, why_not_before = _followed(problem, point, values[end:start][::-1], step_finished)
+        forth, why_not_after = _followed(problem, point, values[start:], step_finished)
         branch = [*back[::-1], *forth]
         problems += [why, why_not_before] if len(back) < skipped else []
         problems += [why_not_after]
         end = start + len(forth)
         here = slice(end - len(branch), end)
-        gaits[here], branches[here], number = branch, number, number + 1
+        gaits[here], branches[here], number = [one.gait for one in branch], number, number + 1
         began[here.start], ended[end - 1] = why_not_before, why_not_after
-        for before, after in pairwise(branch):
+        for pair in pairwise(branch):
             try:
-                borders += borders_between(runner, name, before, after) if before.word != after.word else []
-            except RunError as problem:
-                problems.append(str(problem))
+                borders += [*_borders(problem, *pair)]
+            except RunError as met:
+                problems.append(str(met))
     if not any(gaits):
         raise RunError("; ".join([*problems[:1], *["nor is there any further on"] * (len(values) > 1)]))
     data = gaits_dataset("sweep", gaits, {name: np.asarray(values)})
@@ -320,17 +325,24 @@ def _row(
 
 
 def _followed(
-    runner: Runner, name: str, values: Values, first: Gait, step_finished: Callable[[int], object]
-) -> tuple[list[Gait], str]:
-    """Gaits at values in turn, as far as the branch leads, and why it leads no farther."""
-    found: list[Gait] = []
+    problem: BranchProblem, point: Point, values: Values, step_finished: Callable[[int], object]
+) -> tuple[list[Point], str]:
+    """Points at values in turn, as far as the branch leads, and why it leads no farther."""
+    found: list[Point] = []
     try:
-        for gait in gaits_over(runner, name, values, first):
-            found.append(gait)
+        for following in points_over(problem, point, values):
+            found.append(following)
             step_finished(1)
-    except RunError as problem:
-        return found, str(problem)
+    except RunError as why:
+        return found, str(why)
     return found, ""
+
+
+def _borders(problem: BranchProblem, first: Point, last: Point) -> Iterator[tuple[float, str, str]]:
+    """Changes of the word between two points of a branch: value, word before, word after."""
+    way = last.x - first.x
+    for short, beyond in crossings(problem, first.along(way), last.along(way)):
+        yield border_between(problem, short, beyond), short.gait.word, beyond.gait.word
 
 
 def check_values(runner: Runner, name: str, values: Values) -> None:
