@@ -106,11 +106,11 @@ static void describe(const fmu *fmu, int mode, int left, const double *x, char t
 /* Reports events at one instant, with the states before the first and after the last of them. */
 void report(const fmu *fmu, const struct instance *observer, const tdmf_event_row *first,
             const double *before, const tdmf_event_row *last, const double *after) {
-    char text[3 * FMU_TEXT], old_mode[FMU_TEXT], new_mode[FMU_TEXT], time[TIME_CAPACITY];
+    char text[3 * FMU_TEXT], old_mode[FMU_TEXT], new_mode[FMU_TEXT], time[NUMBER_CAPACITY];
     describe(fmu, first->before, first->before, before, old_mode);
     describe(fmu, last->after, last->before, after, new_mode);
     snprintf(text, sizeof text, "%s at %s s: %s -> %s", unit_event_names[first->event],
-             time_text(fmu->epoch + first->time, time), old_mode, new_mode);
+             number_text(fmu->epoch + first->time, time), old_mode, new_mode);
     if (is_counted(first) || strcmp(old_mode, new_mode) != 0) {
         log_event(observer, text);
     }

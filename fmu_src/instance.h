@@ -73,9 +73,9 @@ const instance *observer_of(const instance *instance);
 call_status set_logging(instance *instance, const char *call, bool on, size_t count,
                         const char *const names[]);
 
-/* A time for a message, with a decimal point whatever the locale; returns `text`. */
-enum { TIME_CAPACITY = 32 };
-char *time_text(double time, char text[TIME_CAPACITY]);
+/* A number for a message, with a decimal point in every locale; returns `text`. */
+enum { NUMBER_CAPACITY = 32 };
+char *number_text(double number, char text[NUMBER_CAPACITY]);
 
 /* ---- calls.c ------------------------------------------------------------------------------------------ */
 

@@ -67,8 +67,8 @@ call_status set_logging(instance *instance, const char *call, bool on, size_t co
     return status;
 }
 
-char *time_text(double time, char text[TIME_CAPACITY]) {
-    snprintf(text, TIME_CAPACITY, "%.15g", time);
+char *number_text(double number, char text[NUMBER_CAPACITY]) {
+    snprintf(text, NUMBER_CAPACITY, "%.15g", number);
     char *comma = strchr(text, ','); /* of the locale */
     if (comma != NULL) {
         *comma = '.';

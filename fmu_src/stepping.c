@@ -137,7 +137,7 @@ static double clock_rounding(double time, double step) {
  * wants it. */
 call_status step_on(instance *instance, const char *call, double time, double step, bool stop_at_event,
                     bool *event) {
-    char text[FMU_TEXT], length[TIME_CAPACITY], clock[TIME_CAPACITY];
+    char text[FMU_TEXT], length[NUMBER_CAPACITY], clock[NUMBER_CAPACITY];
     if (!call_is_allowed(instance, call, STEP_MODE)) {
         return CALL_ERROR;
     }
@@ -147,7 +147,7 @@ call_status step_on(instance *instance, const char *call, double time, double st
     }
     if (!(time + step > time)) {
         return answer(instance, CALL_ERROR, call, "a step of %s s is lost in the rounding of the time, %s s",
-                      time_text(step, length), time_text(time, clock));
+                      number_text(step, length), number_text(time, clock));
     }
     const double allowed = clock_rounding(time, step);
     if (!(fabs(time - fmu->time) <= allowed)) {
@@ -155,7 +155,7 @@ call_status step_on(instance *instance, const char *call, double time, double st
     }
     if (time + step > fmu->stop_time + allowed) {
         return answer(instance, CALL_ERROR, call, "the step goes beyond the stop time, %s s",
-                      time_text(fmu->stop_time, clock));
+                      number_text(fmu->stop_time, clock));
     }
     const char *obstacle = fmu_advance(fmu, time + step, stop_at_event, observer_of(instance), text);
     discard_view(instance);

@@ -67,9 +67,9 @@ double *fmu_rate_of(fmu *fmu, const fmu_variable *input) {
 }
 
 char *value_text(const fmu_variable *variable, double value, char text[VALUE_CAPACITY]) {
-    char number[TIME_CAPACITY];
+    char number[NUMBER_CAPACITY];
     const bool has_unit = variable->unit != NULL;
-    snprintf(text, VALUE_CAPACITY, "%s%s%s", time_text(value, number), has_unit ? " " : "",
+    snprintf(text, VALUE_CAPACITY, "%s%s%s", number_text(value, number), has_unit ? " " : "",
              has_unit ? variable->unit : "");
     return text;
 }
