@@ -7,6 +7,7 @@ import tdmf_slip
 from conftest import ROOT
 from page_runs import COMPILER
 from tdmf_slip import (
+    AffineLaw,
     Batch,
     InputError,
     Runner,
@@ -259,11 +260,37 @@ def test_pictures_of_a_model_without_a_runner_s_quantities_are_drawn(ball, draw)
     assert len(tdmf_slip.plot(made[draw]()).axes) >= 1
 
 
-def test_runs_end_alike_whether_strides_are_recorded(my_runner):
-    """Without a record nothing is observed along strides, whose steps may then be longer."""
-    starts = find_gait(my_runner).apex + np.random.default_rng(3).uniform(-0.1, 0.1, (40, 6))
-    plain, recorded = (Batch(my_runner, starts).run(4, record=record) for record in (False, True))
-    np.testing.assert_array_equal(plain.fate, recorded.fate)
-    closed = plain.strides == 4
-    assert closed.sum() > 10
-    assert plain.apex[closed] == pytest.approx(recorded.apex[closed], abs=1e-7)
+def test_runs_are_the_same_by_engine_function_steps_saved_states_and_parts(my_runner):
+    """Bit for bit; without a record nothing is observed along strides, whose steps may then be longer."""
+    gait, rng = find_gait(my_runner), np.random.default_rng(3)
+    starts, angle = gait.apex + rng.uniform(-0.1, 0.1, (40, 6)), gait.runner[SETTINGS[0]]
+    noisy = AffineLaw(
+        SETTINGS[:1], gait.apex, [angle], [[0.02] * 6], [angle - 0.01], [angle + 0.01], [1e-3] * 6,
+        model=my_runner,
+    )  # fmt: skip
+
+    def run(law, some=slice(None), **how):
+        return Batch(gait, starts[some], law=law, **how).run(4, record=True)
+
+    found = run(noisy)
+    closed = found.strides == 4
+    assert closed.sum() > 10 and len(np.unique(found.recorded[SETTINGS[0]])) > 40
+    alike = (run(lambda apices, k: noisy(apices, k)), run(noisy, instructions="one by one", threads=1))
+    for other in alike:
+        for name in found.recorded:
+            np.testing.assert_array_equal(other.recorded[name], found.recorded[name], err_msg=name)
+    part = run(noisy, slice(7, 19), first_number=7)
+    np.testing.assert_array_equal(part.apex, found.apex[7:19])
+    stepping = Batch(gait, starts, law=noisy)
+    for _ in range(2):
+        stepping.step()
+    again = Batch(gait, starts[:1], law=noisy)
+    again.resume(stepping.save(), 2)
+    for batch in (stepping, again):
+        for _ in range(2):
+            fates = batch.step()
+        np.testing.assert_array_equal(fates, found.fate)
+        np.testing.assert_array_equal(batch.apices[closed], found.apex[closed])
+    plain = Batch(gait, starts, law=noisy).run(4)
+    np.testing.assert_array_equal(plain.fate, found.fate)
+    assert plain.apex[closed] == pytest.approx(found.apex[closed], abs=1e-7)
