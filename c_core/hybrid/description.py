@@ -24,6 +24,12 @@ CO_SIMULATION = {
     2: {"canInterpolateInputs": "true", "canNotUseMemoryManagementFunctions": "true"},
     3: {"hasEventMode": "true", "mightReturnEarlyFromDoStep": "true"},
 }
+GROUPS = {
+    "Output": "Outputs",
+    "ContinuousStateDerivative": "Derivatives",
+    "InitialUnknown": "InitialUnknowns",
+}
+"""Groups of unknowns in FMI 2.0, by their elements in FMI 3.0."""
 TYPES_OF_3 = {"Real": "Float64", "Integer": "Int32"}
 
 
@@ -46,6 +52,7 @@ class Description:
 
     def __init__(self, unit, fmi, version, sources):
         self.unit, self.fmi, self.sources = unit, fmi, sources
+        self.first = 1 if fmi == 2 else 0  # of indices, where FMI 3.0 has value references
         given = {"fmiVersion": f"{fmi}.0", "modelName": unit.identifier, **unit.about, "version": version}
         given["guid" if fmi == 2 else "instantiationToken"] = unit.identity
         given |= {"generationTool": f"TDMF-SLIP {version}", "variableNamingConvention": "structured"}
@@ -62,8 +69,8 @@ class Description:
         self.add(self.root, "DefaultExperiment", **unit.experiment)
         variables = self.add(self.root, "ModelVariables")
         for row in unit.rows:
-            (self.variable_2 if fmi == 2 else self.variable_3)(variables, row)
-        (self.structure_2 if fmi == 2 else self.structure_3)()
+            self.variable(variables, row)
+        self.structure()
 
     def add(self, parent, tag, **attributes):
         """Add an element; attributes without a value are left out."""
@@ -111,35 +118,18 @@ class Description:
             for item in items:
                 self.add(made, "Item", **item)
 
-    def of_type(self, row):
-        """Attributes of a variable that depend on its type."""
-        given = self.unit.attributes(row)
+    def variable(self, parent, row):
+        """A variable; in FMI 2.0 what depends on its type is an element of its own."""
+        kind, own = self.unit.type_of(row), self.unit.attributes(row)
         if row.derivative:
-            given["derivative"] = str(self.unit.number[row.derivative] + (self.fmi == 2))
-        return given
-
-    def common(self, row):
-        """Attributes of every variable."""
-        given = {
-            "name": row.name,
-            "valueReference": str(self.unit.number[row.name]),
-            "description": row.about or None,
-        }
-        return given | {"causality": row.causality, "variability": row.variability, "initial": row.initial}
-
-    def variable_2(self, parent, row):
-        """A variable of FMI 2.0."""
-        self.add(
-            self.add(parent, "ScalarVariable", **self.common(row)),
-            self.unit.type_of(row),
-            **self.of_type(row),
-        )
-
-    def variable_3(self, parent, row):
-        """A variable of FMI 3.0."""
-        kind = self.unit.type_of(row)
-        given = self.common(row) | self.of_type(row)
-        self.add(parent, TYPES_OF_3.get(kind, kind), **given)
+            own["derivative"] = str(self.unit.number[row.derivative] + self.first)
+        common = {"name": row.name, "valueReference": str(self.unit.number[row.name])}
+        common |= {"description": row.about or None, "causality": row.causality}
+        common |= {"variability": row.variability, "initial": row.initial}
+        if self.fmi == 2:
+            self.add(self.add(parent, "ScalarVariable", **common), kind, **own)
+        else:
+            self.add(parent, TYPES_OF_3.get(kind, kind), **common, **own)
 
     def unknowns(self):
         """Variables in each group of the structure: outputs, derivatives, initial unknowns, indicators."""
@@ -154,36 +144,22 @@ class Description:
         yield "InitialUnknown", calculated
         yield "EventIndicator", [row for row in rows if row.storage == "GUARD"]
 
-    def structure_2(self):
-        """The model structure of FMI 2.0."""
-        structure = self.add(self.root, "ModelStructure")
-        groups = {
-            "Output": "Outputs",
-            "ContinuousStateDerivative": "Derivatives",
-            "InitialUnknown": "InitialUnknowns",
-        }
-        for tag, rows in self.unknowns():
-            group = self.add(structure, groups[tag]) if tag in groups and rows else None
-            for row in rows if group is not None else ():
-                index = str(self.unit.number[row.name] + 1)
-                self.add(group, "Unknown", index=index, dependencies=self.dependencies(tag, row, 1))
+    def structure(self):
+        """The model structure: unknowns and what they depend on.
 
-    def structure_3(self):
-        """The model structure of FMI 3.0."""
-        structure = self.add(self.root, "ModelStructure")
-        for tag, rows in self.unknowns():
-            for row in rows:
-                reference = str(self.unit.number[row.name])
-                given = self.dependencies(tag, row, 0)
-                self.add(structure, tag, valueReference=reference, dependencies=given)
-
-    def dependencies(self, tag, row, first):
-        """References, counted from `first`, of what an unknown depends on.
-
-        They are always written, because CasADi reads no unit without them.
+        The dependencies are always written, because CasADi reads no unit without them.
         """
-        references = self.unit.references(row, tag == "InitialUnknown")
-        return " ".join(str(i + first) for i in references)
+        structure, number = self.add(self.root, "ModelStructure"), self.unit.number
+        for tag, rows in self.unknowns():
+            parent, name, at_start = structure, "valueReference", tag == "InitialUnknown"
+            if self.fmi == 2:
+                if tag not in GROUPS or not rows:
+                    continue
+                parent, tag, name = self.add(structure, GROUPS[tag]), "Unknown", "index"
+            for row in rows:
+                references = self.unit.references(row, at_start)
+                given = " ".join(str(i + self.first) for i in references)
+                self.add(parent, tag, **{name: str(number[row.name] + self.first)}, dependencies=given)
 
 
 def description(unit, fmi, version, sources):
