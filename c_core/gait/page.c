@@ -1,7 +1,9 @@
 /* Runs and return maps of models that are written as pages. */
 #include "page_map.h"
+#include "refusal.h"
 
-#include <math.h>
+#include <float.h>
+#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -77,31 +79,73 @@ bool tdmf_are_page_values_sound(const tdmf_model_kind *model, const double *para
     return are_finite(states, model->state_count);
 }
 
-/* A run from the start to given times needs no section. */
-static bool is_sound_without_section(const tdmf_page_map *map) {
-    const tdmf_model_kind *model = map ? model_of(map->page) : NULL;
-    if (!model || !map->parameters || !map->states || map->seed_count < 0 ||
-        map->seed_count > TDMF_MAP_LIMIT || (map->seed_count > 0 && !map->d_parameters)) {
-        return false;
+/* Numbers that have to be finite, by the name of their array or, with `names`, by their own. */
+static bool are_numbers(tdmf_refusal *why, const char *array, const char *const *names, const double *values,
+                        int count) {
+    for (int i = 0; i < count; ++i) {
+        if (!tdmf_accepts_element(why, names ? names[i] : array, i, values[i], -DBL_MAX, DBL_MAX)) {
+            return false;
+        }
     }
-    return map->tolerance >= 1e-16 && map->tolerance <= 1e-2 && map->longest >= 0.0 &&
-           isfinite(map->longest) && map->step_limit >= 0 && map->event_room >= 0 &&
-           are_finite(map->d_parameters, map->seed_count * model->parameter_count) &&
-           (!map->d_states || are_finite(map->d_states, map->seed_count * model->state_count));
+    return true;
 }
 
-bool tdmf_is_page_map_sound(const tdmf_page_map *map) {
-    return is_sound_without_section(map) && map->section >= 0 &&
-           map->section < model_of(map->page)->section_count;
+static bool are_values_sound(tdmf_refusal *why, const tdmf_page_map *map) {
+    const tdmf_model_kind *model = model_of(map->page);
+    if (tdmf_are_page_values_sound(model, map->parameters, map->states)) {
+        return true;
+    }
+    for (int i = 0; i < model->parameter_count; ++i) {
+        if (!tdmf_accepts_number(why, model->parameter_names[i], "1", map->parameters[i],
+                                 model->parameter_least[i], model->parameter_most[i])) {
+            return false;
+        }
+    }
+    return are_numbers(why, NULL, model->state_names, map->states, model->state_count);
+}
+
+/* A run from the start to given times needs no section. */
+static bool is_sound_without_section(tdmf_refusal *why, const tdmf_page_map *map) {
+    const tdmf_model_kind *model = map ? model_of(map->page) : NULL;
+    return tdmf_accepts_pointer(why, "map", map) && tdmf_accepts_pointer(why, "page", model) &&
+           tdmf_accepts_pointer(why, "parameters", map->parameters) &&
+           tdmf_accepts_pointer(why, "states", map->states) &&
+           tdmf_accepts_array(why, "d_parameters", map->d_parameters, "seed_count", map->seed_count,
+                              TDMF_MAP_LIMIT) &&
+           tdmf_accepts_number(why, "tolerance", "1", map->tolerance, 1e-16, 1e-2) &&
+           tdmf_accepts_number(why, "longest", "s", map->longest, 0.0, DBL_MAX) &&
+           tdmf_accepts_number(why, "step_limit", "1", (double)map->step_limit, 0.0, (double)LONG_MAX) &&
+           tdmf_accepts_number(why, "event_room", "1", map->event_room, 0.0, INT_MAX) &&
+           are_numbers(why, "d_parameters[]", NULL, map->d_parameters,
+                       map->seed_count * model->parameter_count) &&
+           (!map->d_states ||
+            are_numbers(why, "d_states[]", NULL, map->d_states, map->seed_count * model->state_count));
+}
+
+bool tdmf_is_page_map_sound(tdmf_refusal *why, const tdmf_page_map *map) {
+    return is_sound_without_section(why, map) && tdmf_accepts_number(why, "section", "1", map->section, 0.0,
+                                                                     model_of(map->page)->section_count - 1);
 }
 
 bool tdmf_is_page_point_sound(const tdmf_page_map *map, const double *point) {
     return point && are_finite(point, model_of(map->page)->sections[map->section].count);
 }
 
-static bool is_sound(const tdmf_page_map *map, const double *point) {
-    return tdmf_is_page_map_sound(map) && tdmf_is_page_point_sound(map, point) &&
-           tdmf_are_page_values_sound(model_of(map->page), map->parameters, map->states);
+static bool is_sound(tdmf_refusal *why, const tdmf_page_map *map, const double *point) {
+    return tdmf_is_page_map_sound(why, map) && tdmf_accepts_pointer(why, "point", point) &&
+           (tdmf_is_page_point_sound(map, point) ||
+            are_numbers(why, "point[]", NULL, point, model_of(map->page)->sections[map->section].count)) &&
+           are_values_sound(why, map);
+}
+
+tdmf_refusal tdmf_page_check(const tdmf_page_map *map, const double *point) {
+    tdmf_refusal why = {.code = TDMF_ACCEPTED};
+    if (point) {
+        is_sound(&why, map, point);
+    } else if (is_sound_without_section(&why, map)) {
+        are_values_sound(&why, map);
+    }
+    return why;
 }
 
 void tdmf_page_scales(const tdmf_page *page, const double *parameters, double *scales) {
@@ -209,7 +253,8 @@ static void keep_log(const tdmf_page_map *map, tdmf_page_run *r, double *numbers
 
 tdmf_page_end tdmf_page_stride(const tdmf_page_map *map, const double *point, double *states,
                                double *d_states) {
-    if (!is_sound(map, point) || !states) {
+    tdmf_refusal why;
+    if (!is_sound(&why, map, point) || !states) {
         return refused(0);
     }
     const tdmf_model_kind *model = model_of(map->page);
@@ -236,7 +281,8 @@ tdmf_page_end tdmf_page_stride(const tdmf_page_map *map, const double *point, do
 
 bool tdmf_page_fixed_point(const tdmf_page_map *map, double *point) {
     memory of;
-    if (!is_sound(map, point) ||
+    tdmf_refusal why;
+    if (!is_sound(&why, map, point) ||
         !open_memory(&of, tdmf_section_memory_size(model_of(map->page), map->section, map->seed_count))) {
         return false;
     }
@@ -252,7 +298,8 @@ bool tdmf_page_fixed_point(const tdmf_page_map *map, double *point) {
 }
 
 bool tdmf_page_place(const tdmf_page_map *map, const double *point, double *states) {
-    if (!is_sound(map, point) || !states) {
+    tdmf_refusal why;
+    if (!is_sound(&why, map, point) || !states) {
         return false;
     }
     const tdmf_model_kind *model = model_of(map->page);
@@ -305,11 +352,12 @@ static tdmf_run_outcome sample(const tdmf_model_kind *model, tdmf_page_run *r,
     return outcome;
 }
 
-static bool are_complete(const tdmf_page_map *map, const tdmf_page_samples *samples, const int *sampled) {
+static bool are_complete(tdmf_refusal *why, const tdmf_page_map *map, const tdmf_page_samples *samples,
+                         const int *sampled) {
     return samples->count >= 0 && samples->times && samples->states && samples->outputs && samples->modes &&
            sampled && !samples->d_states == !samples->d_outputs &&
-           (samples->point ? tdmf_is_page_map_sound(map) && tdmf_is_page_point_sound(map, samples->point)
-                           : is_sound_without_section(map));
+           (samples->point ? tdmf_is_page_map_sound(why, map) && tdmf_is_page_point_sound(map, samples->point)
+                           : is_sound_without_section(why, map));
 }
 
 /* Numbers that a run from the start, or from a point, takes. */
@@ -348,8 +396,9 @@ static tdmf_page_run begun(const tdmf_page_map *map, const tdmf_page_samples *sa
 
 tdmf_page_end tdmf_page_begin(const tdmf_page_map *map, double *states, const tdmf_page_samples *samples,
                               int *sampled) {
-    if (!(samples ? are_complete(map, samples, sampled) : tdmf_is_page_map_sound(map)) || !states ||
-        !tdmf_are_page_values_sound(model_of(map->page), map->parameters, map->states)) {
+    tdmf_refusal why;
+    if (!(samples ? are_complete(&why, map, samples, sampled) : tdmf_is_page_map_sound(&why, map)) ||
+        !states || !tdmf_are_page_values_sound(model_of(map->page), map->parameters, map->states)) {
         return refused(0);
     }
     const tdmf_model_kind *model = model_of(map->page);

@@ -114,7 +114,8 @@ const char *tdmf_page_build(void) {
 }
 
 bool tdmf_page_strides(const tdmf_page_batch *batch) {
-    if (!batch || !tdmf_is_page_map_sound(batch->map) || batch->count < 0 || batch->threads < 1 ||
+    tdmf_refusal why;
+    if (!batch || !tdmf_is_page_map_sound(&why, batch->map) || batch->count < 0 || batch->threads < 1 ||
         (batch->count > 0 && (!batch->points || !batch->states || !batch->ends))) {
         return false;
     }

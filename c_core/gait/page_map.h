@@ -21,7 +21,7 @@ extern const int tdmf_page_count;
 extern const char *const tdmf_build_identity;
 
 /* Whether a map can be used, apart from its parameters and states; whether these can; and a point. */
-bool tdmf_is_page_map_sound(const tdmf_page_map *map);
+bool tdmf_is_page_map_sound(tdmf_refusal *why, const tdmf_page_map *map);
 bool tdmf_are_page_values_sound(const tdmf_model_kind *model, const double *parameters, const double *states);
 bool tdmf_is_page_point_sound(const tdmf_page_map *map, const double *point);
 

@@ -326,7 +326,12 @@ TEST(pages_refuse_null_and_numbers_out_of_range) {
     refused[11].seed_count = SIZE;
     refused[12].step_limit = -1;
     refused[13].event_room = -1;
+    static const char *const names[] = {
+        "page",    "section", "section",      "parameters", "states",     "tolerance",  "tolerance",
+        "longest", "longest", "d_parameters", "seed_count", "seed_count", "step_limit", "event_room"};
+    assert_null(tdmf_page_check(&sound, point).variable);
     for (size_t i = 0; i < sizeof refused / sizeof *refused; ++i) {
+        assert_string_equal(tdmf_page_check(&refused[i], point).variable, names[i]);
         assert_int_equal(tdmf_page_stride(&refused[i], point, end, NULL).outcome, TDMF_PAGE_REFUSED);
         assert_false(tdmf_page_fixed_point(&refused[i], point));
         assert_false(tdmf_page_place(&refused[i], point, end));
@@ -343,10 +348,12 @@ TEST(pages_refuse_null_and_numbers_out_of_range) {
         tdmf_page_defaults(page, p, x);
         p[0] = numbers[i];
         assert_int_equal(tdmf_page_stride(&sound, point, end, NULL).outcome, TDMF_PAGE_REFUSED);
+        assert_string_equal(tdmf_page_check(&sound, point).variable, "mass");
     }
     tdmf_page_defaults(page, p, x);
     point[0] = NAN;
     assert_int_equal(tdmf_page_stride(&sound, point, end, NULL).outcome, TDMF_PAGE_REFUSED);
+    assert_string_equal(tdmf_page_check(&sound, point).variable, "point[]");
     point[0] = 1.03;
     x[0] = NAN;
     assert_int_equal(tdmf_page_stride(&sound, point, end, NULL).outcome, TDMF_PAGE_REFUSED);

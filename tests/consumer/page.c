@@ -23,11 +23,11 @@ int main(void) {
     tdmf_page_map map;
     tdmf_page_samples samples;
     int modes[TIMES], sampled;
+    char text[128];
 
     tdmf_page_defaults(page, parameters, states);
     tdmf_page_range(page, angle, &least, &most);
     printf("touchdown_angle from %.4f to %.4f rad\n", least, most);
-    parameters[angle] = 0.384;
     parameters[parameter_of(page, "energy")] = 80.0 * 9.81 * 0.94 + 0.5 * 80.0 * 25.0;
     tdmf_page_scales(page, parameters, scales);
 
@@ -37,6 +37,10 @@ int main(void) {
     map.states = states;
     map.tolerance = 1e-12;
     map.longest = 1e3;
+    parameters[angle] = 2.0; /* too much */
+    const tdmf_refusal refusal = tdmf_page_check(&map, point);
+    printf("%s\n", tdmf_refusal_text(&refusal, text, sizeof text));
+    parameters[angle] = 0.384;
     if (!tdmf_page_fixed_point(&map, point))
         return 1;
     const tdmf_page_end stride = tdmf_page_stride(&map, point, end, jacobian);

@@ -21,7 +21,7 @@ SAYS = {
     "trajectory": "t = 5, x = 5.3100, y = 1.2935, normal force 0.0000",
     "derivatives": "d com.y / d leg.damping = 0.11934, by differences 0.11934",
     "gait": "20 strides closed on the way to the gait\n+0-0+ at 1.060856 m/s, largest eigenvalue 0.8556",
-    "page": "touchdown_angle from -1.5708 to 1.5708 rad\na gait at height 0.943587",
+    "page": "touchdown_angle from -1.5708 to 1.5708 rad\ntouchdown_angle = 2 is refused: allowed from",
     "law": "runner 10 begins with touchdown angle 0.6991 rad",
 }
 """What each program prints."""

@@ -7,6 +7,7 @@
 #define TDMF_SLIP_PAGE_H
 
 #include "tdmf_slip/export.h"
+#include "tdmf_slip/refusal.h"
 
 #include <stdbool.h>
 
@@ -68,6 +69,11 @@ typedef struct {
     tdmf_page_event *events;     /* receives the events of a run; NULL for none */
     bool is_unobserved;          /* leaves out what the page observes: largest values and positive parts */
 } tdmf_page_map;
+
+/* Says why a request is refused: which parameter, state or member, its value and what is allowed. `point` is
+ * a point of the section, or NULL for a run from the start. A start may still fail a requirement of the page,
+ * see tdmf_page_end. */
+TDMF_API tdmf_refusal tdmf_page_check(const tdmf_page_map *map, const double *point);
 
 /* How a run to the next crossing of the section ended. */
 typedef enum {
