@@ -51,6 +51,13 @@ def similar(name, names):
     return f"; did you mean `{found[0]}`?" if found else ""
 
 
+def check_known(location, name, value, known, what):
+    """Refuse a value that is not among the known ones. `what` says what is wrong, with `{}` for the value."""
+    if value not in known:
+        text = what.format(f"`{value}`")
+        raise page_error(location, name, f"{text}{similar(value, known)}")
+
+
 @contextmanager
 def reading(function, name):
     """Turn every exception of a page's function into a PageError at the line that raised it."""

@@ -75,7 +75,7 @@ def event(modes, when=None, unit="1", only=None, crossing=None, counted=True, cl
     event is not watched there. If `crossing` holds, `when` must cross 0. The function returns the model after
     the event. `leaving` receives 1 if the event is `counted`, else 0; bookkeeping is not counted. A long step
     errs by the tolerance: an event that is located `closely`, as one that ends a run is, is taken only where
-    a step that begins close to it finds it, too.
+    a step that begins close to it finds it, too, and `when` falls in almost a straight line.
     """
     case = {word: value if isinstance(value, tuple) else (value,) for word, value in words.items()}
     modes = _words(modes, "event")

@@ -4,7 +4,7 @@ import math
 from types import CodeType, FunctionType
 
 from .c_text import safe_names
-from .errors import PageError, page_error, reading, similar
+from .errors import PageError, check_known, page_error, reading, similar
 from .expressions import Condition, _looks_up, explore, forget_expressions, leaves_of, lift, symbol
 from .limits import LIMITS, MARGINS
 from .model import MARKS, Absent, Model
@@ -255,9 +255,8 @@ class Page:
         start = start[0]
         if not self.modes:
             self.refuse("has no mode; a page needs one function marked by @mode()")
-        if start not in self.modes:
-            text = f"starts in `{start}`, which is no mode{similar(start, self.modes)}"
-            raise page_error(self.place_of("start"), self.model.__name__, text)
+        place, text = self.place_of("start"), "starts in {}, which is no mode"
+        check_known(place, self.model.__name__, start, self.modes, text)
         if len(self.events) > LIMITS["PAGE_EVENT"]:
             self.refuse(f"has {len(self.events)} events; at most {LIMITS['PAGE_EVENT']} are allowed")
         for name, function in [*self.events.items(), *self.observed.items()]:
@@ -276,9 +275,7 @@ class Page:
             if function.part not in PARTS:
                 text = f"observes the `{function.part}`; known are {' and '.join(PARTS)}"
                 raise page_error(function, name, text)
-            if function.into not in self.states:
-                text = f"goes into `{function.into}`, which is no state{similar(function.into, self.states)}"
-                raise page_error(function, name, text)
+            check_known(function, name, function.into, self.states, "goes into {}, which is no state")
 
     def check_units(self):
         """Refuse unknown units of functions and of columns of tables."""
@@ -291,14 +288,9 @@ class Page:
     def check_sections(self):
         """Refuse sections without an event or state of the page."""
         for name, function in self.sections.items():
-            if function.event not in self.events:
-                near = similar(function.event, self.events)
-                text = f"is taken at `{function.event}`, which is no event{near}"
-                raise page_error(function, name, text)
+            check_known(function, name, function.event, self.events, "is taken at {}, which is no event")
             for of in function.coordinates:
-                if of not in self.states:
-                    text = f"has the coordinate `{of}`, which is no state{similar(of, self.states)}"
-                    raise page_error(function, name, text)
+                check_known(function, name, of, self.states, "has the coordinate {}, which is no state")
             if len(function.coordinates) > LIMITS["MAP"]:
                 raise page_error(function, name, f"has more than {LIMITS['MAP']} coordinates")
 
@@ -306,9 +298,10 @@ class Page:
         """Refuse functions about the setting of a quantity that does not exist."""
         known = self.parameters.keys() | self.states.keys()
         for name, function in self.on_set.items():
-            if name not in known and not hasattr(self.model, name):
-                text = f"is about `{name}`, which the page does not have{similar(name, known)}"
-                raise page_error(function, function.__name__, text)
+            if not hasattr(self.model, name):
+                check_known(
+                    function, function.__name__, name, known, "is about {}, which the page does not have"
+                )
 
     def check_coordinates(self):
         """Refuse coordinates that no function gives."""
@@ -316,9 +309,7 @@ class Page:
         used = {of: q for q in self.states.values() for of in q.of or ()}
         used |= {f.of: f for f in self.modes.values() if f.of}
         for of, declared in used.items():
-            if of not in sets:
-                text = f"is no set of coordinates: no function gives it{similar(of, sets)}"
-                raise page_error(declared, of, text)
+            check_known(declared, of, of, sets, "is no set of coordinates: no function gives it")
 
     def check_public_names(self):
         """Refuse two quantities of one name in a unit."""
@@ -333,15 +324,12 @@ class Page:
     def check_modes(self, name, function):
         """Refuse modes and words that the page does not have."""
         for mode in function.modes:
-            is_dropped = getattr(self.model, mode, mode) is None  # by a subclass
-            if mode not in self.modes and not is_dropped:
-                text = f"is about the mode `{mode}`, which the page does not have{similar(mode, self.modes)}"
-                raise page_error(function, name, text)
+            if getattr(self.model, mode, mode) is not None:  # not dropped by a subclass
+                text = "is about the mode {}, which the page does not have"
+                check_known(function, name, mode, self.modes, text)
         words = {word for mode in function.modes if mode in self.modes for word in self.modes[mode].words}
         for word in getattr(function, "case", ()):
-            if word not in words:
-                text = f"asks for the word `{word}`, which none of its modes has{similar(word, words)}"
-                raise page_error(function, name, text)
+            check_known(function, name, word, words, "asks for the word {}, which none of its modes has")
 
     def check_scales(self):
         """Refuse scales that are no positive numbers, or depend on more than parameters."""
@@ -364,9 +352,9 @@ class Page:
         for name, function in self.events.items():
             for word, values in function.case.items():
                 for value in values:
-                    if isinstance(value, str) and value not in mentioned:
-                        text = f"asks for {word}=`{value}`, which no decision gives"
-                        raise page_error(function, name, f"{text}{similar(value, mentioned)}")
+                    if isinstance(value, str):
+                        text = f"asks for {word}={{}}, which no decision gives"
+                        check_known(function, name, value, mentioned, text)
 
     @property
     def unreached(self):
