@@ -112,18 +112,6 @@ def test_the_engine_counts_the_steps_in_the_layer(instructions):
     assert counted[0] == 0 < 10 < counted[1]
 
 
-# ---- where it is no other law ------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize("velocity", [1e-6, 0.1, 10.0])
-@pytest.mark.parametrize("friction", [0.6, 0.2])
-def test_a_static_friction_that_is_the_sliding_one_falls_nowhere(friction, velocity):
-    runner, apex = runner_and_apex(friction, 1.0)
-    _, (at_once,) = end_of_stride(runner, apex)
-    _, (end,) = end_of_stride(runner, apex, velocity)
-    assert end == pytest.approx(at_once, rel=1e-12, abs=1e-12)
-
-
 @pytest.mark.parametrize(("friction", "ratio"), [(0.6, 1.5), (0.3, 2.0), (0.2, 1.5)])
 def test_friction_that_hardly_falls_is_the_static_one(friction, ratio):
     """The distance goes to 0 as 1/v."""

@@ -139,6 +139,7 @@ def test_the_unit_runs_over_a_patch_as_the_reference(units, run, way):
 NOTHING = {
     "a patch of no length": {"ground.patch_begin": 12.5, "ground.patch_end": 12.5},
     "friction that falls at once": {"ground.stribeck_velocity": 0.0},
+    "a static friction that is the sliding one": {"ground.stribeck_velocity": 0.1},
 }  # fmt: skip
 
 
