@@ -112,7 +112,7 @@ def draw(
             paths, data = [folder / f"{name}.{suffix}" for suffix in formats], folder / f"{name}.csv"
             _write(partial(FIGURES[name].draw, found), *paths, **how)
             with whole(data) as beside:
-                found.table(name).to_csv(beside, index=False)
+                found.table(name).to_csv(beside, index=False, lineterminator="\n")
             written += [*paths, data]
             bar.update()
     return written
