@@ -139,7 +139,7 @@ static bool are_balls(tdmf_refusal *why, const tdmf_ball *balls, int count) {
     for (int gait = 0; balls && gait < count; ++gait) {
         const double *matrix = &balls[gait].matrix[0][0];
         for (int i = 0; i < TDMF_POINT_LIMIT * TDMF_POINT_LIMIT; ++i) {
-            if (!tdmf_accepts_element(why, "rules.balls[].matrix", gait, matrix[i], -largest, largest)) {
+            if (!tdmf_accepts_element(why, "cases[].rules.balls.matrix", 0, matrix[i], -largest, largest)) {
                 return false;
             }
         }

@@ -18,11 +18,11 @@ tdmf_solver solver_to(double relative_tolerance) {
     return solver;
 }
 
-simulation simulation_in(const tdmf_parameters *parameters, const tdmf_inputs *inputs,
-                         const double state[TDMF_STATE_COUNT], double relative_tolerance) {
+static simulation begun(const tdmf_model *model, const tdmf_inputs *inputs,
+                        const double state[TDMF_STATE_COUNT], double relative_tolerance) {
     simulation simulation;
     memset(&simulation, 0, sizeof simulation);
-    simulation.model = accepted_model(parameters);
+    simulation.model = *model;
     simulation.inputs = *inputs;
     simulation.solver = solver_to(relative_tolerance);
     memcpy(simulation.motion.state, state, sizeof simulation.motion.state);
@@ -30,23 +30,22 @@ simulation simulation_in(const tdmf_parameters *parameters, const tdmf_inputs *i
     return simulation;
 }
 
+simulation simulation_in(const tdmf_parameters *parameters, const tdmf_inputs *inputs,
+                         const double state[TDMF_STATE_COUNT], double relative_tolerance) {
+    const tdmf_model model = accepted_model(parameters);
+    return begun(&model, inputs, state, relative_tolerance);
+}
+
 simulation simulation_from(const tdmf_parameters *parameters, const tdmf_inputs *inputs,
                            const double section[TDMF_SECTION_COUNT], double relative_tolerance) {
     const tdmf_model model = accepted_model(parameters);
     double state[TDMF_STATE_COUNT];
     tdmf_section_state((tdmf_system){&model, inputs}, section, state);
-    return simulation_in(parameters, inputs, state, relative_tolerance);
+    return begun(&model, inputs, state, relative_tolerance);
 }
 
 simulation simulation_of(const runner *runner, double relative_tolerance) {
-    simulation simulation;
-    memset(&simulation, 0, sizeof simulation);
-    simulation.model = runner->model;
-    simulation.inputs = runner->inputs;
-    simulation.solver = solver_to(relative_tolerance);
-    memcpy(simulation.motion.state, runner->motion.state, sizeof simulation.motion.state);
-    simulation_start(&simulation);
-    return simulation;
+    return begun(&runner->model, &runner->inputs, runner->motion.state, relative_tolerance);
 }
 
 void simulation_start(simulation *simulation) {

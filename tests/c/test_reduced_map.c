@@ -370,29 +370,10 @@ TEST(what_is_no_number_or_out_of_range_is_refused) {
     assert_int_equal(tired.solver, TDMF_TOO_MANY_STEPS);
 }
 
-TEST(what_did_not_happen_or_was_not_asked_for_is_zero) {
-    static const tdmf_return nothing;
-    apex_scene scene = at_gait(&reduced_gaits[2]);
-    const tdmf_return plain = stride_from(&scene, tight, false, NULL, 0);
-    assert_memory_equal(plain.variations, nothing.variations, sizeof plain.variations);
-    scene.apex[0] = 200.0;
-    const tdmf_return fell = stride_from(&scene, tight, true, NULL, 0);
-    assert_memory_equal(fell.apex, nothing.apex, sizeof fell.apex);
-    assert_memory_equal(&fell.stride, &nothing.stride, sizeof fell.stride);
-    assert_memory_equal(fell.variations, nothing.variations, sizeof fell.variations);
-}
-
-TEST(a_search_tells_what_ends_the_stride_from_its_guess) {
+TEST(a_runner_settles_on_the_gait) {
     apex_scene scene = at_gait(&reduced_gaits[2]);
     const tdmf_model model = accepted_model(&scene.parameters);
     tdmf_solver solver = tdmf_solver_default();
-    scene.apex[0] = 0.5;
-    assert_int_equal(orbit_from(&scene, 1e-11).outcome, TDMF_ORBIT_NO_START);
-    scene.apex[0] = 200.0;
-    assert_int_equal(orbit_from(&scene, 1e-11).outcome, TDMF_ORBIT_FELL);
-    assert_int_equal(settle(TDMF_REDUCED_MAP, &solver, (tdmf_system){&model, &scene.inputs}, 10, scene.apex),
-                     0);
-    scene = at_gait(&reduced_gaits[2]);
     scene.apex[0] += 0.05;
     assert_int_equal(settle(TDMF_REDUCED_MAP, &solver, (tdmf_system){&model, &scene.inputs}, 200, scene.apex),
                      200);

@@ -427,33 +427,37 @@ CHANGE(law_without_low, p->law.low = NULL)
 CHANGE(law_without_high, p->law.high = NULL)
 
 TEST(ensembles_refuse_counts_without_arrays) {
-    static void (*const changes[])(population *) = {no_cases,
-                                                    cases_below_zero,
-                                                    no_model,
-                                                    no_starts,
-                                                    runners_below_zero,
-                                                    gaits_without_array,
-                                                    gaits_below_zero,
-                                                    balls_without_numbers,
-                                                    notes_below_zero,
-                                                    notes_from_below_zero,
-                                                    goes_on_from_nowhere,
-                                                    goes_on_in_no_mode,
-                                                    given_no_values,
-                                                    given_no_settings,
-                                                    law_without_settings,
-                                                    law_of_too_many,
-                                                    law_without_nominal,
-                                                    law_without_gain,
-                                                    law_without_low,
-                                                    law_without_high};
+    static const struct {
+        void (*change)(population *);
+        const char *refused;
+    } changes[] = {{no_cases, "cases"},
+                   {cases_below_zero, "case_count"},
+                   {no_model, "cases[].model"},
+                   {no_starts, "starts"},
+                   {runners_below_zero, "count"},
+                   {gaits_without_array, "cases[].rules.gaits"},
+                   {gaits_below_zero, "cases[].rules.gait_count"},
+                   {balls_without_numbers, "cases[].rules.balls.matrix"},
+                   {notes_below_zero, "stride_count"},
+                   {notes_from_below_zero, "first_stride"},
+                   {goes_on_from_nowhere, "checkpoints"},
+                   {goes_on_in_no_mode, "checkpoints[].mode"},
+                   {given_no_values, "given.values"},
+                   {given_no_settings, "given.settings"},
+                   {law_without_settings, "cases[].rules.law.settings"},
+                   {law_of_too_many, "cases[].rules.law.settings"},
+                   {law_without_nominal, "cases[].rules.law.nominal"},
+                   {law_without_gain, "cases[].rules.law.gain"},
+                   {law_without_low, "cases[].rules.law.low"},
+                   {law_without_high, "cases[].rules.law.high"}};
     enum { CHANGES = sizeof changes / sizeof changes[0], OF_LAWS = 6 };
     population population;
     for (int i = 0; i < CHANGES; ++i) {
         gather(&population, i >= CHANGES - OF_LAWS);
-        changes[i](&population);
+        changes[i].change(&population);
         population.crowd->ends[0].strides = 77;
-        assert_non_null(tdmf_run_ensemble(population.ensemble, population.crowd->ends, NULL).variable);
+        assert_string_equal(tdmf_run_ensemble(population.ensemble, population.crowd->ends, NULL).variable,
+                            changes[i].refused);
         assert_int_equal(population.crowd->ends[0].strides, 77);
     }
     gather(&population, true);

@@ -101,18 +101,6 @@ TEST(derivatives_are_as_good_as_the_strides) {
     assert_true(compared > STRIDES * 9 / 10);
 }
 
-TEST(what_is_too_much_is_refused) {
-    const scene_at_apex scene = at_gait(&reference_gaits[DEFAULT_GAIT]);
-    tdmf_seed seeds[TDMF_RETURN_MAP_SEEDS + 1];
-    tdmf_solver solver = tdmf_solver_default();
-    memset(seeds, 0, sizeof seeds);
-    const tdmf_return stride = map_of(&solver, &scene, longest, true, seeds, TDMF_RETURN_MAP_SEEDS + 1);
-    assert_int_equal(stride.outcome, TDMF_RETURN_REFUSED);
-    assert_int_equal(map_of(&solver, &scene, longest, true, seeds, -1).outcome, TDMF_RETURN_REFUSED);
-    solver.relative_tolerance = 0.0;
-    assert_int_equal(orbit_from(&solver, &scene, scene.section).outcome, TDMF_ORBIT_NO_START);
-}
-
 static bool is_zero(const void *bytes, size_t size) {
     const unsigned char *byte = bytes;
     bool zero = true;
@@ -123,7 +111,7 @@ static bool is_zero(const void *bytes, size_t size) {
 }
 
 TEST(what_did_not_happen_or_was_not_asked_for_is_zero) {
-    scene_at_apex scene = at_gait(&reference_gaits[DEFAULT_GAIT]);
+    scene_at_apex scene = at_gait(&reference_gaits[DEFAULT_GAIT]), high = scene;
     const tdmf_return plain = stride_of(&scene, false, NULL);
     tdmf_solver solver = tdmf_solver_default();
     double section_state[TDMF_STATE_COUNT];
@@ -132,6 +120,13 @@ TEST(what_did_not_happen_or_was_not_asked_for_is_zero) {
     const tdmf_return late = map_of(&solver, &scene, 1.0, true, NULL, 0);
     assert_true(late.outcome == TDMF_RETURN_TOO_LONG);
     assert_true(is_zero(late.apex, sizeof late.apex) && is_zero(late.variations, sizeof late.variations));
+    high.section[TDMF_SECTION_COM_HEIGHT] = 200.0;
+    const tdmf_system system = {&model, &scene.inputs};
+    const tdmf_return reduced = reduced_map(&solver, system, scene.section, longest, false, NULL, 0);
+    const tdmf_return fell = reduced_map(&solver, system, high.section, longest, true, NULL, 0);
+    assert_true(is_zero(reduced.variations, sizeof reduced.variations));
+    assert_true(is_zero(fell.apex, sizeof fell.apex) && is_zero(&fell.stride, sizeof fell.stride));
+    assert_true(is_zero(fell.variations, sizeof fell.variations));
     memset(section_state, 1, sizeof section_state);
     tdmf_section_state((tdmf_system){&model, &scene.inputs}, scene.section, section_state);
     assert_true(section_state[TDMF_FOOT_X] == 0.0);
@@ -195,17 +190,21 @@ TEST(gaits_are_found_to_rounding) {
 }
 
 TEST(what_is_no_gait_is_said_to_be_none) {
-    scene_at_apex scene = at_gait(&reference_gaits[DEFAULT_GAIT]);
-    tdmf_solver solver = tdmf_solver_default();
-    const tdmf_model model = accepted_model(&scene.parameters);
-    scene.section[TDMF_SECTION_COM_HEIGHT] = -1.0;
-    assert_int_equal(orbit_from(&solver, &scene, scene.section).outcome, TDMF_ORBIT_NO_START);
-    scene.section[TDMF_SECTION_COM_HEIGHT] = NAN;
-    assert_int_equal(orbit_from(&solver, &scene, scene.section).outcome, TDMF_ORBIT_NO_START);
-    scene.section[TDMF_SECTION_COM_HEIGHT] = 200.0;
-    assert_int_equal(orbit_from(&solver, &scene, scene.section).outcome, TDMF_ORBIT_FELL);
-    assert_int_equal(
-        settle(TDMF_RETURN_MAP, &solver, (tdmf_system){&model, &scene.inputs}, 10, scene.section), 0);
+    static const struct {
+        double height;
+        tdmf_orbit_outcome outcome;
+    } guesses[] = {{-1.0, TDMF_ORBIT_NO_START}, {NAN, TDMF_ORBIT_NO_START}, {200.0, TDMF_ORBIT_FELL}};
+    for (int i = 0; i < 2 * 3; ++i) {
+        const tdmf_apex_map map = i % 2 == 0 ? TDMF_RETURN_MAP : TDMF_REDUCED_MAP;
+        scene_at_apex scene = at_gait(&reference_gaits[DEFAULT_GAIT]);
+        tdmf_solver solver = tdmf_solver_default();
+        const tdmf_model model = accepted_model(&scene.parameters);
+        const tdmf_system system = {&model, &scene.inputs};
+        scene.section[TDMF_SECTION_COM_HEIGHT] = guesses[i / 2].height;
+        assert_int_equal(find_orbit(map, &solver, system, scene.section, NULL, 0).outcome,
+                         guesses[i / 2].outcome);
+        assert_int_equal(settle(map, &solver, system, 10, scene.section), 0);
+    }
 }
 
 /* Neither trouble of the solver nor a stand is a fall. */
