@@ -130,7 +130,10 @@ GROUNDS = {
 
 @pytest.mark.parametrize("name", GROUNDS if RELEASE else list(GROUNDS)[:2])
 def test_a_runner_falls_as_often_as_by_waiting(name, monkeypatch):
-    """Plain steps as large make another mean, so that a ground that is passed over would be seen."""
+    """Plain steps as large make another mean, so that a ground that is passed over would be seen.
+
+    Their intervals are apart: friction by stride changes the mean by a fifth, no more than an interval is wide.
+    """
     monkeypatch.setattr(rare_falls_module, "PILOT_WALKERS", 512 if RELEASE else 128)
     ground, runner = GROUNDS[name], {"ground.friction": 0.6}
     waiting = strides_to_fall(runner, ground, 400, max_strides=2_000)
@@ -142,7 +145,7 @@ def test_a_runner_falls_as_often_as_by_waiting(name, monkeypatch):
         assert_same(rare_falls(runner, ground, walkers=12, strides=40, seed=3), split)
         return
     plain = strides_to_fall(runner, ground.roughness, 400, seed=6, max_strides=2_000)
-    assert max(plain.interval[0] / waiting.interval[1], waiting.interval[0] / plain.interval[1]) > 1.2
+    assert max(plain.interval[0] / waiting.interval[1], waiting.interval[0] / plain.interval[1]) > 1.0
 
 
 def test_ground_that_splitting_does_not_know_is_refused_by_name():
