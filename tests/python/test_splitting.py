@@ -132,7 +132,7 @@ GROUNDS = {
 def test_a_runner_falls_as_often_as_by_waiting(name, monkeypatch):
     """Plain steps as large make another mean, so that a ground that is passed over would be seen.
 
-    Their intervals are apart: friction by stride changes the mean by a fifth, no more than an interval is wide.
+    Their intervals are apart. Friction by stride changes the mean by a fifth, as much as an interval is wide.
     """
     monkeypatch.setattr(rare_falls_module, "PILOT_WALKERS", 512 if RELEASE else 128)
     ground, runner = GROUNDS[name], {"ground.friction": 0.6}
