@@ -101,7 +101,8 @@ char *tdmf_refusal_text(const tdmf_refusal *refusal, char *text, size_t capacity
     }
     const char *rule = refusal->bound_by;
     if (refusal->code != TDMF_OUT_OF_RANGE) {
-        snprintf(text, capacity, "%s is refused: %s", place(refusal, name), rule ? rule : "it is NULL");
+        const char *is_refused = refusal->code == TDMF_UNAVAILABLE ? "" : " is refused";
+        snprintf(text, capacity, "%s%s: %s", place(refusal, name), is_refused, rule ? rule : "it is NULL");
         return text;
     }
     const bool has_unit = refusal->unit != NULL && strcmp(refusal->unit, "1") != 0;

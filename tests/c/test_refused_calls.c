@@ -266,6 +266,10 @@ TEST(refusals_say_what_and_where) {
     assert_says(tdmf_run_ensemble(&crowd->ensemble, crowd->ends, NULL),
                 "case_of[1] = -7 is refused: allowed from 0 to 2");
     crowd->case_of[1] = 1;
+    crowd->ensemble.instructions = TDMF_INSTRUCTIONS_COUNT;
+    assert_says(tdmf_run_ensemble(&crowd->ensemble, crowd->ends, NULL),
+                "instructions: this processor or this build does not have them");
+    crowd->ensemble.instructions = TDMF_BEST_INSTRUCTIONS;
     crowd->cases[2].rules.roughness = -0.5;
     assert_says(tdmf_run_ensemble(&crowd->ensemble, crowd->ends, NULL),
                 "cases[2].rules.roughness = -0.5 is refused: allowed from 0 to 1.79769313e+308");

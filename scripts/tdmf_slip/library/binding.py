@@ -60,8 +60,12 @@ def text_of(characters: object) -> str:
 
 
 def check_accepted(refusal: Any, where: str = "") -> None:
-    """Raise an `InputError` if the library refused a value; `where` begins its message."""
+    """Raise an `InputError` if the library refused a value, a `MemoryError` if there is too little memory.
+
+    `where` begins the message.
+    """
     if refusal.variable != ffi.NULL:
         text = ffi.new("char[256]")
         c.tdmf_refusal_text(ffi.new("tdmf_refusal *", refusal), text, len(text))
-        raise InputError(f"{where}{text_of(text)}")
+        error = MemoryError if refusal.code == c.TDMF_UNAVAILABLE else InputError
+        raise error(f"{where}{text_of(text)}")
