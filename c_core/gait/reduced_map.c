@@ -10,7 +10,6 @@
 #include "reduced_stride.h"
 #include "refusal.h"
 #include "request.h"
-#include "return_record.h"
 #include "tdmf_slip/automaton.h"
 
 #include <math.h>
