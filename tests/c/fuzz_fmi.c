@@ -150,7 +150,11 @@ static void change_mode(void *self) {
         fmi->set_time(on->instance, random_value(on->source));
         break;
     case 7:
-        is_fmi2() ? (int)fmi2EnterInitializationMode(on->instance) : (int)fmi3EnterStepMode(on->instance);
+        if (is_fmi2()) {
+            fmi2EnterInitializationMode(on->instance);
+        } else {
+            fmi3EnterStepMode(on->instance);
+        }
         break;
     default:
         if (!is_fmi2()) {
