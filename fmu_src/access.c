@@ -40,7 +40,7 @@ double read_double(const void *values, size_t i) {
 
 /* ---- getting ------------------------------------------------------------------------------------------ */
 
-/* Whether this is a state without a start value, before the run: the start calculates it. */
+/* True for a state without a start value, before the run: the start calculates it. */
 static bool follows_from_start(const instance *instance, const fmu_variable *variable) {
     return variable->storage == STORED_STATE && !variable->settable_before_start && !instance->fmu.has_begun;
 }
@@ -109,13 +109,13 @@ static bool is_settable_now(const instance *instance, const fmu_variable *variab
     return (instance->state & BEFORE_START) != 0 && variable->settable_before_start;
 }
 
-/* Some importers' solvers set all inputs at each evaluation; at the time of an event, to the values before.
- */
+/* True for a setting that changes at events only, in continuous-time mode. A new value is ignored there,
+ * because solvers of some importers set all inputs at each evaluation, to the values before an event. */
 static bool keeps_its_value(const instance *instance, const fmu_variable *variable) {
     return instance->state == CONTINUOUS_TIME_MODE && fmu_is_set_at_events(variable);
 }
 
-/* In a run, a state that is set is a trial value of a solver. It may be outside the range of start values. */
+/* A state that is set in a run is a trial value of a solver. It may be outside the range of start values. */
 static bool is_trial(const instance *instance, const fmu_variable *variable) {
     return variable->storage == STORED_STATE && (instance->state & BEFORE_START) == 0;
 }

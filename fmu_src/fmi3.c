@@ -261,7 +261,7 @@ CALL(GetNumberOfContinuousStates, (fmi3Instance c, size_t *count),
 
 /* ---- Co-Simulation ------------------------------------------------------------------------------------- */
 
-/* With event mode and early return a step ends at the first event, at its exact time and before it is taken;
+/* A step with event mode and early return ends at the first event, at its exact time and before it is taken;
  * fmi3UpdateDiscreteStates takes it. Otherwise events are taken inside the step, and event mode serves to let
  * inputs jump. */
 fmi3Status fmi3DoStep(fmi3Instance component, fmi3Float64 time, fmi3Float64 step,

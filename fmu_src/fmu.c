@@ -174,7 +174,7 @@ static bool take_pending_event(fmu *fmu, const struct instance *observer) {
     return true;
 }
 
-/* Whether states are larger than those of any motion; `text` receives the name of the first. */
+/* True if states are larger than those of any motion; `text` receives the name of the first. */
 static bool is_beyond_motion(const fmu *fmu, char text[FMU_TEXT]) {
     const char *name = number_out_of_range(fmu->motion.numbers);
     if (name != NULL) {

@@ -2,7 +2,7 @@
 #ifndef TDMF_FMU_FMU_H
 #define TDMF_FMU_FMU_H
 
-#include "unit_page.h" /* the generator's: how many things the page has */
+#include "unit_page.h" /* generated: sizes of the tables of the page */
 
 #include <math.h>
 #include <stdbool.h>
@@ -82,7 +82,7 @@ const char *fmu_start(fmu *fmu, char text[FMU_TEXT]);
 
 void fmu_set_time(fmu *fmu, double time);
 
-/* Whether a clock may show this time: differences, sums and ratios of such times are numbers. */
+/* True if a clock may show this time: differences, sums and ratios of such times are numbers. */
 static inline bool fmu_is_time(double time) {
     return fabs(time) <= 1e100;
 }

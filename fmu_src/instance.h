@@ -87,18 +87,17 @@ void instance_free(instance *instance);
 
 const char *name_of_state(call_state state);
 
-/* Whether an instance may be in a state of the call sequence, its run begun or not. */
+/* True if an instance may be in a state of the call sequence, its run begun or not. */
 bool state_suits_interface(unsigned state, interface_kind interface, bool begun);
 
-/* Whether `call` may be made now; if not, refuses it. A null instance is refused too. */
+/* True if `call` may be made now; else refuses it. A null instance is refused too. */
 bool call_is_allowed(const instance *instance, const char *call, unsigned allowed_states);
 
-/* Whether an array of the right length was given; if not, refuses the call. */
+/* True if an array of the right length was given; else refuses the call. */
 bool array_is_given(const instance *instance, const char *call, const void *array, size_t count,
                     size_t wanted);
 
-/* Whether `call` may be made now, and each of these arrays of `count` elements was given; if not, refuses it.
- */
+/* True if `call` may be made now, and each of these arrays of `count` elements was given; else refuses it. */
 bool call_may_begin(const instance *instance, const char *call, unsigned allowed_states, size_t count,
                     const void *const arrays[], size_t array_count);
 #define MAY_BEGIN(instance, call, allowed_states, count, ...)                                                \
@@ -197,7 +196,7 @@ typedef struct {
 } discrete_update;
 call_status update_discrete_states(instance *instance, const char *call, discrete_update *update);
 
-/* `asks` receives whether event mode is needed. The importer's own places for answers must be given. */
+/* `asks` becomes true if event mode is needed. The importer's own places for answers must be given. */
 call_status complete_step(instance *instance, const char *call, const void *event_mode, const void *terminate,
                           bool *asks);
 

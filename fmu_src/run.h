@@ -30,7 +30,7 @@ const char *number_out_of_range(const double numbers[]);
 void show_to_world(fmu *fmu);
 void take_from_world(fmu *fmu);
 
-/* The variation of all that follows, along variations of parameters and of the states of the mode. */
+/* The variation of a view, along variations of parameters and of the states of the mode. */
 void vary_at(const fmu *fmu, const double *dp, const double *dx, fmu_view *variation);
 
 /* ---- drive.c ------------------------------------------------------------------------------------------- */
@@ -63,10 +63,11 @@ extern const double rounding_at_event; /* largest such guard where its event was
 /* Records that all jumps so far have had their effects. */
 void account_for_all(fmu *fmu);
 
-/* Whether a quantity has jumped since the last such record. */
+/* True if a quantity has jumped since account_for_all or account_for_jumps. */
 bool quantity_has_jumped(const fmu *fmu);
 
-/* Changes the states that depend on jumps since then, and records it. True if there was a jump. */
+/* Changes the states that depend on jumps since the last record, and records them. True if there was a jump.
+ */
 bool account_for_jumps(fmu *fmu);
 
 /* Changes the states that depend on inputs that an importer's solver has moved along the last step. */

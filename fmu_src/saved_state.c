@@ -140,7 +140,8 @@ static const char *wrong_field(const fmu *fmu) {
 
 /* ---- consistency of a run that has begun --------------------------------------------------------------- */
 
-/* In Co-Simulation the states in the world's coordinates follow from those of the mode. */
+/* The name of the first state in the world's coordinates that does not follow from those of the mode, as it
+ * has to in Co-Simulation. */
 static const char *wrong_coordinate(const fmu *fmu) {
     struct fmu shown = *fmu;
     const tdmf_page_instant at = instant_of(fmu);

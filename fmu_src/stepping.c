@@ -127,14 +127,14 @@ call_status get_nominals(instance *instance, const char *call, double nominals[]
 
 /* ---- Co-Simulation ------------------------------------------------------------------------------------- */
 
-/* How far the times of importers may be off if they add them up or scale them: rounding, and a share of the
- * step. */
+/* Error that is tolerated in the times of importers, which add them up or scale them: rounding, and a share
+ * of the step. */
 static double clock_rounding(double time, double step) {
     return 16.0 * DBL_EPSILON * fabs(time) + 1e-6 * step;
 }
 
-/* Without event mode the unit locates and takes events inside a step, and the step ends where the importer
- * wants it. */
+/* Steps without event mode: the unit locates and takes events inside a step, and the step ends where the
+ * importer wants it. */
 call_status step_on(instance *instance, const char *call, double time, double step, bool stop_at_event,
                     bool *event) {
     char text[FMU_TEXT], length[NUMBER_CAPACITY], clock[NUMBER_CAPACITY];

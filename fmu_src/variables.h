@@ -8,7 +8,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* A set of them says what a call takes. */
+/* Types of variables. A set of them says which types a call takes. */
 typedef enum {
     VARIABLE_REAL = 1 << 0,
     VARIABLE_INTEGER = 1 << 1,
@@ -17,7 +17,7 @@ typedef enum {
     VARIABLE_STRING = 1 << 4
 } fmu_variable_type;
 
-/* Where a variable is: up to STORED_START in the run, else in the view. */
+/* The storage of a variable: up to STORED_START in the run, else in the view. */
 typedef enum {
     STORED_TIME,
     STORED_PARAMETER,
@@ -54,14 +54,14 @@ typedef struct {
 extern const fmu_variable fmu_variables[];
 extern const size_t fmu_variable_count;
 
-/* Whether the importer may change it in a run, but at events only: a tunable parameter or a discrete input.
+/* True for a tunable parameter or a discrete input: an importer may change it in a run, but at events only.
  */
 static inline bool fmu_is_set_at_events(const fmu_variable *variable) {
     return variable->variability == VARIABILITY_TUNABLE ||
            (variable->storage == STORED_INPUT && variable->variability == VARIABILITY_DISCRETE);
 }
 
-/* Why the variable may not have this value, written into the text; NULL where it may. */
+/* The reason why a variable may not have this value, written into `text`; NULL if it may. */
 const char *fmu_refuse_value(const fmu_variable *variable, double value, char text[FMU_TEXT]);
 
 /* A numeric variable's value; outputs and derivatives are read from `view`. */

@@ -21,7 +21,7 @@ LARGEST = 2**31 - 1
 """The largest Integer of FMI."""
 DISPLAY = {"rad": "deg", "rad/s": "deg/s", "rad/s2": "deg/s2"}
 DEGREES = 57.29577951308232
-"""How many of a unit's display unit make one of it."""
+"""Factor from a unit to its display unit."""
 QUANTITIES = {
     "kg": "Mass",
     "m": "Length",
@@ -40,7 +40,7 @@ QUANTITIES = {
     "J": "Energy",
     "W": "Power",
 }
-"""What is measured in a unit."""
+"""Quantities by their units."""
 RATES = {"s": "1", "J": "W"}
 SOLVERS = {
     "native": "the project's own event-driven solver",
@@ -51,7 +51,7 @@ WORK = {
     "evaluations": "Evaluations of rates since the start; native: of a coefficient of their series",
     "layer_steps": "Steps since the start that the time scale of a mode has shortened",
 }
-"""What the solver of Co-Simulation counts."""
+"""Counters of the solver of Co-Simulation."""
 EXPERIMENT = {"start_time": "startTime", "stop_time": "stopTime"}
 EXPERIMENT |= {"tolerance": "tolerance", "step_size": "stepSize"}
 TOLERANCE = {"least": 1e-14, "most": 1e-2}
@@ -86,11 +86,17 @@ def enumeration_type(name):
 def experiment_in_xml(given):
     """The times and the tolerance of a default experiment, by default of ten seconds."""
     given = {"start_time": 0.0, "stop_time": 10.0} | given
-    return {EXPERIMENT[name]: repr(float(value)) for name, value in given.items()}
+    return {EXPERIMENT[name]: shortest(float(value)) for name, value in given.items()}
+
+
+def shortest(number):
+    """The shortest decimal text of a number: 1, 0.1 and 1e+09."""
+    rounded = f"{number:g}"
+    return rounded if float(rounded) == number else repr(number)
 
 
 def settable(quantity, **more):
-    """What a variable has of a quantity of the page that takes a start value."""
+    """Attributes of a variable from a quantity of the page that takes a start value."""
     given = {"unit": quantity.unit, "about": quantity.meaning, "within": quantity.within}
     return given | {"start": quantity.value, "is_set": True} | more
 
@@ -105,7 +111,7 @@ class Guard(NamedTuple):
 class Unit:
     """The variables of a page's unit, in the order of their value references.
 
-    A subclass says in the fields below what a page does not say of its unit.
+    The fields below hold the choices that a page does not make. A subclass sets them.
     """
 
     identifier = ""
@@ -126,11 +132,14 @@ class Unit:
     steady_states = ""
     """Continuous states that no event makes jump."""
     at_start: Mapping = MappingProxyType({})
-    """What variables depend on at the start, by their names, where it is not time and all start values."""
+    """Names of the variables on which a variable depends at the start, by its name.
+
+    Other variables depend on time and on all start values.
+    """
     terminates = "status.terminate_at_end"
     """The parameter that asks to terminate where a run has ended."""
     has_cvode = False
-    """Whether a parameter chooses between the solvers."""
+    """True if a parameter chooses between the solvers."""
     terminals: Mapping = MappingProxyType({})
     """Terminals of FMI 3.0: a description, and names of variables."""
 
@@ -162,7 +171,7 @@ class Unit:
         self.number = {row.name: i for i, row in enumerate(self.rows)}
 
     def is_indicator(self, event):
-        """Whether a guard can come due while a mode lasts, and not only where one begins."""
+        """True if a guard can come due while a mode lasts, and not only where one begins."""
         for key in self.page.keys:
             if event in self.page.watched(key):
                 forget_expressions()
@@ -258,7 +267,7 @@ class Unit:
         place = "SETTING", "SETTING_TOLERANCE"
         self.add("solver.relative_tolerance", *place, "parameter", "fixed", **given)
         if any(page.modes[key[0]].ends for key in page.keys):
-            about = "Whether Model Exchange asks to terminate where the run has ended"
+            about = "Model Exchange: true to ask the importer to terminate when the run has ended"
             given |= {"about": about, "within": {}, "start": True, "kind": bool}
             place = "SETTING", "SETTING_TERMINATES"
             self.add(self.terminates, *place, "parameter", "fixed", **given)
@@ -366,7 +375,7 @@ class Unit:
     def attributes(self, row):
         """Attributes of a variable that depend on its type."""
         kind = self.type_of(row)
-        text_of = {"Real": lambda x: repr(float(x)), "Boolean": lambda x: str(bool(x)).lower()}.get(
+        text_of = {"Real": lambda x: shortest(float(x)), "Boolean": lambda x: str(bool(x)).lower()}.get(
             kind, lambda x: str(int(x))
         )
         given = {"start": None if row.start is None else text_of(row.start)}

@@ -107,7 +107,7 @@ def write_unit(model, folder, version="0"):
 
 
 def is_for(name, fmi):
-    """Whether a file in a unit's `sources` belongs to a version of FMI, 2 or 3."""
+    """True if a file in a unit's `sources` belongs to a version of FMI, 2 or 3."""
     return name != f"fmi{5 - fmi}.c"
 
 

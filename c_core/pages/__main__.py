@@ -1,10 +1,12 @@
-"""Writes what is derived from the pages to c_core, or to a folder that is named.
+"""Writes the files that are derived from the pages to the project, or to a folder that is named.
 
 `python -m c_core.pages [FOLDER]`
 
-- `derived/pages`: the C of the pages that the library runs, the unit's tables, and ranges for the library
-- `derived/unit`: descriptions of the FMI units, their list of source files, and the Python package's table
-- `include/tdmf_slip/variables.h`, which scripts/derive_equations formats
+- `modelDescription.xml`: the description of the FMI 2.0 unit
+- `c_core/derived/pages`: C of the pages that the library runs, the unit's tables, and the library's ranges
+- `c_core/derived/unit`: descriptions of the FMI 3.0 unit, the units' list of source files and page of
+  documentation, and the Python package's table
+- `c_core/include/tdmf_slip/variables.h`, which scripts/derive_equations formats
 """
 
 import re
@@ -73,7 +75,8 @@ def part_of(whole, part):
 
 
 core = Path(__file__).parents[1]
-folder = Path(sys.argv[1]) if len(sys.argv) > 1 else core
+project = core.parent
+folder = Path(sys.argv[1]) if len(sys.argv) > 1 else project
 pages = {model: Page(model) for model in PAGES}
 texts: dict[str, str] = {}
 for page in pages.values():
@@ -94,16 +97,16 @@ texts["guid.h"] = of_unit["guid.h"]
 shared = shared_sources(of_unit)
 compiled = {fmi: sources_of([*of_unit, *shared], fmi) for fmi in (2, 3)}
 places = {f"c_core/derived/pages/{name}" for name in of_unit}
-places |= {path.relative_to(core.parent).as_posix() for path in shared.values()}
-template = (core.parent / "fmu_src/documentation/index.html").read_text("utf-8")
-files = {f"derived/pages/{name}": text for name, text in texts.items()} | {
-    "derived/unit/fmi2/modelDescription.xml": description(unit, 2, version, compiled[2]),
-    "derived/unit/fmi3/modelDescription.xml": description(unit, 3, version, compiled[3]),
-    "derived/unit/fmi3/sources/buildDescription.xml": build_description(unit, compiled[3]),
-    "derived/unit/fmi3/terminalsAndIcons/terminalsAndIcons.xml": terminals(unit),
-    "derived/unit/index.html": listed(unit, template),
-    "derived/unit/data.py": python(unit),
-    "derived/unit/sources.txt": "\n".join([*sorted(places), ""]),
-    "include/tdmf_slip/variables.h": declarations(unit),
+places |= {path.relative_to(project).as_posix() for path in shared.values()}
+template = (project / "fmu_src/documentation/index.html").read_text("utf-8")
+files = {f"c_core/derived/pages/{name}": text for name, text in texts.items()} | {
+    "modelDescription.xml": description(unit, 2, version, compiled[2]),
+    "c_core/derived/unit/fmi3/modelDescription.xml": description(unit, 3, version, compiled[3]),
+    "c_core/derived/unit/fmi3/sources/buildDescription.xml": build_description(unit, compiled[3]),
+    "c_core/derived/unit/fmi3/terminalsAndIcons/terminalsAndIcons.xml": terminals(unit),
+    "c_core/derived/unit/index.html": listed(unit, template),
+    "c_core/derived/unit/data.py": python(unit),
+    "c_core/derived/unit/sources.txt": "\n".join([*sorted(places), ""]),
+    "c_core/include/tdmf_slip/variables.h": declarations(unit),
 }
 write_files(folder, files)

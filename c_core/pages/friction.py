@@ -38,7 +38,7 @@ class Friction(Model):
         return r.way * (select(r.way > 0, r.segment_end, r.segment_begin) - r.foot().x)
 
     def has_border_ahead(r):
-        """Whether a border lies ahead of the slipping foot."""
+        """True if a border lies ahead of the slipping foot."""
         return select(r.way > 0, r.segment_end, -r.segment_begin) < FAR
 
     def cone(r, way):
@@ -56,7 +56,7 @@ class Friction(Model):
         return exp(-r.way * r.foot_vx / r.stribeck_velocity)
 
     def friction_falls(r):
-        """Whether friction falls with the slip speed."""
+        """True if friction falls with the slip speed."""
         return r.stribeck_velocity > 0 and r.static_ratio > 1
 
     def speed_of_friction(r):

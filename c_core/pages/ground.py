@@ -23,10 +23,10 @@ class Ground(Model):
         0, "m", "Position where the patch ends; ground.patch_begin for no patch", least=-1e9,
         most=1e9)
     patch_friction = parameter(0.1, "1", "Friction coefficient on the patch, mu_p", least=0, most=1e6)
-    by_stride = parameter(False, "1", "Whether a new segment comes at each apex, and not at its border")
-    trips = parameter(False, "1", "Whether a foot that meets the face of a higher segment falls")
+    by_stride = parameter(False, "1", "True if a new segment comes at each apex, and not at its border")
+    trips = parameter(False, "1", "True if a foot that meets the face of a higher segment falls")
     keeps_friction = parameter(
-        False, "1", "Whether a stance keeps the friction of the segment on which it began")
+        False, "1", "True if a stance keeps the friction of the segment on which it began")
 
     height = state(0, "m", "Height at x = 0 of the ground line in force")
     slope = state(0, "rad", "Slope of the ground line in force", least=-1.5, most=1.5)
@@ -56,7 +56,7 @@ class Ground(Model):
                     segment_slope=of.slope, friction_ahead=of.friction, friction_behind=of.friction)
 
     def moves_onto(r, number, **kept):
-        """The foot moves onto the next segment, or falls over the face of a higher one."""
+        """Move the foot onto a segment, or let it fall over the face of a higher one."""
         moved = r.replace(**r.on_segment(number) | kept)
         if r.mode == "start_of_run" or r.trips <= 0:
             return moved
@@ -107,12 +107,12 @@ class Ground(Model):
         return r.ground_slope + r.segment_slope
 
     def line_waits(r):
-        """Whether the line of the segment is pending."""
+        """True while the line of the segment is pending."""
         return abs(r.set_height() - r.height) + abs(r.free_length * (r.set_slope() - r.slope)) > 0
 
     @output(name="ground.pending", kind=bool)
     def pending(r):
-        """Whether a new ground line is pending, until the foot is above it in flight."""
+        """True while a new ground line is pending, until the foot is above it in flight."""
         return r.line_waits()
 
     def on_line(r, x, y):

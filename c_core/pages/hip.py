@@ -26,7 +26,7 @@ class Hip(Model):
     retraction_rate = parameter(
         0, "rad/s", "Swing-leg retraction: rate at which the target angle falls after the apex, omega",
         tunable=True, least=-1e9, most=1e9)
-    swing_clamp = parameter(False, "1", "Whether the torque that retracts the leg is clamped at 0 from below")
+    swing_clamp = parameter(False, "1", "True if the torque that retracts the leg is clamped at 0 from below")
     external_torque = input(0, "N.m", "Torque added to the hip law", least=-1e18, most=1e18)
 
     more_angle = setting(
@@ -81,11 +81,11 @@ class Hip(Model):
         return select(r.swing < PLACE, 0, 1)
 
     def is_retracting(r):
-        """Whether the hip retracts the leg, which the clamp may end."""
+        """True while the hip retracts the leg, which the clamp may end."""
         return not r.in_stance() and abs(r.swing - RETRACT) <= 0
 
     def is_resting(r):
-        """Whether the clamp holds the retracting torque at 0."""
+        """True while the clamp holds the retracting torque at 0."""
         return not r.in_stance() and r.swing < RETRACT
 
     def swing_rates(r):

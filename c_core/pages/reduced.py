@@ -71,7 +71,7 @@ class ReducedRunner(RunnerOnOneLine):
         return r.to("fallen")
 
     def may_fall(r):
-        """Whether the body may reach the ground: in flight before the foot, with a leg that may lie."""
+        """True if the body may reach the ground; in flight, before the foot, where the leg may lie flat."""
         if r.mode != "flight":
             return True
         if r.swing < PLACE:
@@ -87,7 +87,7 @@ class ReducedRunner(RunnerOnOneLine):
         return r.with_thrust(1).count_event(1)
 
     def may_thrust(r):
-        """Whether a thrust is to come in this stance."""
+        """True while a thrust is to come in this stance."""
         return r.thrusting <= 0 and r.thrust + r.more_thrust > 0
 
     @event("stick slip", when=lambda r: r.leg().length - r.least_length, unit="m")

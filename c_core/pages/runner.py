@@ -40,7 +40,7 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
         return r.holding(r.stance_torque())
 
     def in_stance(r):
-        """Whether the law of stance drives the hip."""
+        """True in the modes in which the stance law drives the hip."""
         return r.mode in ("stick", "slip")
 
     def flight_lifts(r):
@@ -182,7 +182,7 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
         return {}
 
     has_fallen = state(
-        0, "1", "Whether the runner has fallen, which freezes the motion", name="status.fallen", values=bool)
+        0, "1", "True after a fall, which freezes the motion", name="status.fallen", values=bool)
 
     # ---- changes of mode
 
@@ -238,7 +238,7 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
         return r.replace(wind="pushed")
 
     def is_pushed(r):
-        """Whether an external force acts or is ramped."""
+        """True if an external force acts or is ramped."""
         now, soon = abs(r.external_fx) + abs(r.external_fy), abs(r.external_fx_rate) + abs(r.external_fy_rate)
         return now > 0 or soon > 0
 
@@ -278,13 +278,13 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
     @event("flight graze", when=lambda r: r.retracting_torque(), unit="N.m", counted=False,
            only=lambda r: r.swing_clamp > 0 and r.is_retracting())
     def clamp(r):
-        """The clamp of (12) holds the retracting torque at 0."""
+        """The clamp of the hip torque closes: it holds the retracting torque at 0."""
         return r.replace(swing=REST)
 
     @event("flight graze", when=lambda r: -r.retracting_torque(), unit="N.m", counted=False,
            only=lambda r: r.is_resting())
     def release(r):
-        """The clamp of (12) releases the retracting torque."""
+        """The clamp of the hip torque opens: it releases the retracting torque."""
         return r.replace(swing=RETRACT)
 
     @event("stick slip", when=lambda r: -r.leg().length_rate, unit="m/s", counted=False,
@@ -470,7 +470,7 @@ class PlainRunner(RunnerOnOneLine):
 
     @staticmethod
     def excess(r):
-        """Number of things that act on the whole runner `r` and are not on the plain page."""
+        """Number of effects that act on the whole runner `r` and are missing on the plain page."""
         patch = select(r.patch_end > r.patch_begin, 1, 0)
         acting = (
             r.ground_height, r.ground_slope, r.height, r.slope, r.thrust, r.more_thrust, r.retraction_rate,

@@ -47,12 +47,12 @@ class Stride(Model):
     # The last completed stride.
     count = state(0, "1", "Number of completed strides", name="stride.count", values=int, least=0)
     word_code = state(
-        0, "1", "Gait word: + slip forward, 0 stick, - slip backward, | new stance; negative if cut",
+        0, "1", "Gait word: + slip forward, 0 stick, - slip backward, | new stance",
         name="stride.word",
         values=letters("|-0+"))
     period = state(0, "s", "Period of the stride, T", name="stride.period")
-    distance = state(0, "m", "Distance covered in the stride", name="stride.length")
-    rise_of_stride = state(0, "m", "Height gained in the stride", name="stride.rise")
+    distance = state(0, "m", "Distance covered by the centre of mass in the stride", name="stride.length")
+    rise_of_stride = state(0, "m", "Height gained by the centre of mass in the stride", name="stride.rise")
     work_of_stride = state(0, "J", "Net work of hip and leg in the stride, W", name="stride.work")
     hip_work = state(0, "J", "Net work of the hip in the stride", name="stride.hip_work")
     leg_work_of_stride = state(
@@ -118,7 +118,7 @@ class Stride(Model):
             bar_is_due=select(lasted > 0, 0, r.bar_is_due))
 
     def close_stride(r):
-        """At an apex, latch the quantities of a stride that began at an apex, and open the next one  (13)."""
+        """Latch the quantities of a stride that began and ends at an apex, and open the next one  (13)."""
         center = r.center()
         hip, leg = r.work - r.work_then, r.leg_work - r.leg_work_then
         work, period, distance = hip + leg, r.time - r.apex_time, center.x - r.x_then

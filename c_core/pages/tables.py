@@ -1,4 +1,4 @@
-"""What the library, the Python package and the unit's page of documentation read of the runner's unit."""
+"""Tables of the runner's unit for the C library, the Python package and the unit's documentation."""
 
 import html
 import re
@@ -20,13 +20,13 @@ DECLARATIONS = """\
  * are Table 1 of the paper with m = k = l0 = 1. */
 {parameters}
 
-/* What may change during a run. Rates of inputs, per second, have the same shape; zero where they are held.
- * Discrete inputs, such as ground.height, ground.slope and control, change at events only: their rates are
- * always zero. */
+/* Inputs, which may change during a run. Their rates, per second, have the same shape; the rate of an input
+ * that is held is zero. Discrete inputs, such as ground.height, ground.slope and control, change at events
+ * only: their rates are always zero. */
 {inputs}
 
-/* How many numbers there are among the parameters, which come first in their struct; how many inputs; and how
- * many settings: inputs and tunable parameters. */
+/* Counts of the numbers among the parameters, which come first in their struct, of the inputs, and of the
+ * settings: inputs and tunable parameters. */
 enum {{
     TDMF_PARAMETER_COUNT = {parameter_count},
     TDMF_INPUT_COUNT = {input_count},
@@ -75,7 +75,7 @@ const tdmf_quantity tdmf_state_quantities[TDMF_STATE_COUNT] = {{
 }};
 """
 VARIABLES_HERE = "<!-- variables -->"
-"""Where the page of documentation wants its list of variables."""
+"""Placeholder of the list of variables in the page of documentation."""
 
 
 def group_of(row):
@@ -109,7 +109,7 @@ def comment_of(row):
 
 
 def is_flag(row):
-    """Whether a variable is a Boolean."""
+    """True if a variable is a Boolean."""
     return row.kind is bool
 
 

@@ -1,4 +1,4 @@
-"""What only the unit of the runner has: its variables in order, short names, and quantities of a stride."""
+"""Choices of the runner's unit: its variables in order, short names, and quantities of a stride."""
 
 from ..hybrid.page import Page
 from ..hybrid.unit import Unit
@@ -64,7 +64,7 @@ class RunnerUnit(Unit):
         foot.mass ground.static_friction_ratio ground.stribeck_velocity ground.patch_begin ground.patch_end
         ground.patch_friction ground.friction ground.height ground.slope foot.x foot.y foot.vx foot.vy
     """
-    """What an impact at the start depends on."""
+    """Variables that decide the outcome of an impact at the start."""
     motion_at_start = f"{contact_at_start} body.mass leg.length leg.angle leg.length_rate leg.angle_rate"
     zero_at_start = """
         hip.work hip.place_time energy.damper_loss energy.friction_loss hip.positive_work

@@ -11,7 +11,7 @@
 
 extern const fmi2CallbackFunctions importer_callbacks;
 
-/* What fmi_interface.h has for either version. Continuous-time mode is where `start_running` ends. */
+/* Calls of fmi_interface.h for FMI 2.0. `start_running` ends in continuous-time mode. */
 #define new_instance()            new_of_kind(&fmi2, EXCHANGE)
 #define new_slave()               new_of_kind(&fmi2, STEPS)
 #define set_real(instance, ...)   ((fmi2Status)set_value(&fmi2, instance, __VA_ARGS__))

@@ -12,7 +12,7 @@ void importer_logger(fmi3InstanceEnvironment environment, fmi3Status status, fmi
 /* A fresh instance until the end of the test, event logging off; asserts that there is one. */
 fmi3Instance new_stepper(bool event_mode, bool early_return);
 
-/* What fmi_interface.h has for either version. */
+/* Calls of fmi_interface.h for FMI 3.0. */
 #define new_exchange()            new_of_kind(&fmi3, EXCHANGE)
 #define set_float(instance, ...)  ((fmi3Status)set_value(&fmi3, instance, __VA_ARGS__))
 #define get_float(instance, name) value_of(&fmi3, instance, name)

@@ -13,8 +13,7 @@
 /* Numbered as fmi2Status and fmi3Status are. */
 typedef enum { FMI_OK, FMI_WARNING, FMI_DISCARD, FMI_ERROR } fmi_status;
 
-/* Model Exchange, Co-Simulation, and Co-Simulation with event mode and early return, which FMI 2.0 has not.
- */
+/* Model Exchange, Co-Simulation, and Co-Simulation with event mode and early return, which FMI 2.0 lacks. */
 typedef enum { EXCHANGE, STEPS, STEPS_WITH_EVENTS, KINDS } fmi_kind;
 
 typedef struct {
@@ -24,13 +23,13 @@ typedef struct {
     double stop;
 } fmi_experiment;
 
-/* What an update of the discrete states answers. */
+/* Answers of an update of the discrete states. */
 typedef struct {
     bool needs_update, terminate, nominals_changed, states_changed, next_time_defined;
     double next_time;
 } update_answer;
 
-/* What a step answers; in FMI 2.0 it always arrives, without an event. */
+/* Answers of a step. A step of FMI 2.0 always arrives, without an event. */
 typedef struct {
     bool event, terminate, early;
     double time;
@@ -106,26 +105,25 @@ fmi_status set_value(const fmi_interface *fmi, void *instance, const char *name,
 /* Sets Reals and Booleans, written as name=value with spaces between; asserts that none is refused. */
 void set_values(const fmi_interface *fmi, void *instance, const char *values);
 
-/* Of an Integer or an enumeration too; assert that it can be read. */
+/* Values of variables; `integer_of` reads enumerations, too. Assert that the variable can be read. */
 double value_of(const fmi_interface *fmi, void *instance, const char *name);
 int integer_of(const fmi_interface *fmi, void *instance, const char *name);
 bool truth_of(const fmi_interface *fmi, void *instance, const char *name);
 
-/* Through initialization, from time 0 or another; asserts that nothing is refused. */
+/* Take an instance through initialization, from time 0 or another; assert that nothing is refused. */
 void initialize_unit(const fmi_interface *fmi, void *instance);
 void initialize_unit_at(const fmi_interface *fmi, void *instance, double start);
 
-/* From event mode to where time goes on; asserts that nothing is refused. */
+/* Takes an instance from event mode to the mode in which time advances; asserts that nothing is refused. */
 void update_and_go_on(const fmi_interface *fmi, void *instance, fmi_kind kind);
 
-/* Through initialization to where time goes on. */
+/* Takes an instance through initialization to the mode in which time advances. */
 void begin(const fmi_interface *fmi, void *instance, fmi_kind kind);
 
 /* A step of Co-Simulation from where the instance stands; asserts that it is made. */
 void step_by(const fmi_interface *fmi, void *instance, double step);
 
-/* Writes all that an instance is, its saved state, and returns how many bytes that are; asserts that there is
- * room. */
+/* Writes the saved state of an instance, and returns the number of its bytes; asserts that there is room. */
 size_t save_bytes(const fmi_interface *fmi, void *instance, unsigned char bytes[SERIALIZED_BYTES]);
 
 /* Makes an instance what such bytes say; what refuses them leaves no state. */

@@ -320,7 +320,7 @@ static void switch_logging(void *self) {
 
 /* ---- sequences ---------------------------------------------------------------------------------------- */
 
-/* In FMI 3.0, Co-Simulation with event mode comes in two forms, without and with early return. */
+/* Co-Simulation with event mode in FMI 3.0 comes in two forms, without and with early return. */
 static void instantiate(subject *on) {
     const size_t way = is_fmi2() ? !random_chance(on->source, 0.5) : random_index(on->source, KINDS + 1);
     on->kind = way < KINDS ? (fmi_kind)way : STEPS_WITH_EVENTS;

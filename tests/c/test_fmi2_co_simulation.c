@@ -78,7 +78,7 @@ TEST(rates_are_numbers_of_inputs_and_set_in_their_states) {
     assert_int_equal(set_rate(exchange, "hip.external_torque", 1, still), fmi2Error);
 }
 
-/* So steep that the input leaves its range in the step, and would overflow. */
+/* Ramps so steep that the input leaves its range in the step, and would overflow. */
 TEST(rates_beyond_reason_end_in_a_message) {
     static const double rates[] = {1e7, 1e150, 1e200, 1e300};
     for (size_t i = 0; i < sizeof rates / sizeof rates[0]; ++i) {
@@ -89,7 +89,7 @@ TEST(rates_beyond_reason_end_in_a_message) {
     }
 }
 
-/* With inputs that move, outputs go with them. */
+/* Outputs move with the inputs that move. */
 TEST(output_derivatives_go_with_the_rates_of_inputs) {
     static const char *const names[] = {"contact.fx", "hip.torque"};
     static const double delta = 1e-5;

@@ -9,7 +9,7 @@
 #include <math.h>
 #include <string.h>
 
-/* In flight, where the leg swings once in about two units of time; the default gait lands much later. */
+/* The leg swings once in about two units of time in flight; the default gait lands much later. */
 static const double duration = 6.0;
 
 typedef double (*extension_at)(double time);
@@ -71,7 +71,7 @@ static bool take_event(fmi2Component component, double extension, double x[TDMF_
     return info.valuesOfContinuousStatesChanged;
 }
 
-/* What the ledger lacks, and in `work` the leg's part of it. */
+/* Error of the energy balance. */
 static double gap(fmi2Component component, double start_energy) {
     return get_real(component, "energy.total") - start_energy - get_real(component, "hip.work") -
            get_real(component, "leg.work") + get_real(component, "energy.damper_loss");

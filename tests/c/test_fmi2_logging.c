@@ -1,4 +1,4 @@
-/* What the units of both FMI versions log, and when they are silent. */
+/* Messages of the units of both FMI versions: their content, and when the units are silent. */
 #include "compare.h"
 #include "fmi2_importer.h"
 #include "fmi3_importer.h"
@@ -162,7 +162,7 @@ TEST(every_event_of_a_step_is_logged_with_its_time) {
     assert_non_null(strstr(first[8], "apex at 25.000146165"));
 }
 
-/* What is said of an event that the importer takes is what is said of one that the unit takes itself. */
+/* An event that the importer takes gives the same message as one that the unit takes itself. */
 TEST(an_event_is_told_alike_in_event_mode) {
     static char expected[EVENTS_OF_TEN_STRIDES][MESSAGE_LENGTH];
     double time = 0.0;

@@ -1,4 +1,4 @@
-/* What the importer may change in a run at events only, tunable parameters and discrete inputs: when they may
+/* Tunable parameters and discrete inputs, which an importer may change in a run at events only: when they may
  * be set, what is refused, and that they are in force at once. */
 #include "compare.h"
 #include "fmi2_importer.h"

@@ -23,7 +23,7 @@ typedef struct {
     const char *edges;
 } start;
 
-/* Of every start: where there is a patch, and a default at which the hip's law has one term less. */
+/* Values of every start: a patch, and a retraction rate, without which the hip's law has one term less. */
 static const char always[] =
     "ground.patch_begin=3 ground.patch_end=4 hip.retraction_rate=0.1 hip.swing_clamp=1";
 
@@ -97,7 +97,7 @@ static bool is_unknown(const fmu_variable *variable) {
             variable->storage == STORED_OUTPUT || variable->storage == STORED_HELD);
 }
 
-/* Nothing less can be set than a parameter's minimum, so that a difference has one side only. */
+/* True for a parameter that starts at its minimum, so that a difference has one side only. */
 static bool starts_at_minimum(const fmu_variable *variable) {
     return variable->storage == STORED_PARAMETER && variable->type == VARIABLE_REAL &&
            variable->start == variable->minimum;
@@ -137,7 +137,7 @@ static void read_unknowns(fmi2Component component, double values[MAX_VARIABLES])
     }
 }
 
-/* By central differences of fourth order; `noise` is what rounding makes of them. */
+/* Central differences of fourth order; `noise` is the effect of rounding on them. */
 static void differences(fmi2Component component, const char *known, double values[MAX_VARIABLES],
                         double noise[MAX_VARIABLES]) {
     static const double weights[] = {1.0 / 12.0, -2.0 / 3.0, 2.0 / 3.0, -1.0 / 12.0};
@@ -220,7 +220,7 @@ static double by_time(fmi2Component component, size_t i) {
     return exact;
 }
 
-/* In a run nothing depends on time but through the states. */
+/* Values in a run depend on time only through the states. */
 TEST(by_time_they_are_those_of_the_instants) {
     const double seconds[] = {-1.0, 3.0};
     for (size_t k = 0; k < sizeof starts / sizeof starts[0]; ++k) {
@@ -252,7 +252,7 @@ static bool is_known_at_the_start(const fmu_variable *variable) {
     return is_known(variable) || variable->storage == STORED_TIME;
 }
 
-/* By FMI 3.0 and the adjoint: seeds' J v = (J' seeds)' v with v over all knowns. */
+/* FMI 3.0 agrees, and so does the adjoint: seeds' J v = (J' seeds)' v with v over all knowns. */
 static void assert_same_both_ways_round(fmi2Component old, fmi3Instance instance,
                                         bool (*is_given)(const fmu_variable *variable)) {
     uint32_t knowns[MAX_VARIABLES], unknowns[MAX_VARIABLES];
@@ -302,7 +302,7 @@ TEST(fmi3_gives_the_same_both_ways_round) {
     }
 }
 
-/* What a start sets to zero depends on nothing, whatever was in it. */
+/* Values that a start sets to zero depend on nothing, whatever they were before. */
 TEST(integrals_begin_at_zero) {
     const fmi2ValueReference work = reference_of("hip.work");
     const double one = 1.0;

@@ -1,5 +1,5 @@
-/* What calls of both FMI versions look at in their arguments, and what they leave in those that they answer
- * in. */
+/* Arguments of the calls of both FMI versions: which values are checked, and what a refused call leaves in
+ * its output arguments. */
 #include "instance.h" /* before cmocka, which has a macro fail */
 
 #include "compare.h"

@@ -1,4 +1,4 @@
-/* What FMI 3.0 alone has: offers to an importer, types, counts of values, and adjoint derivatives. */
+/* Features of FMI 3.0 alone: offers to an importer, types, counts of values, and adjoint derivatives. */
 #include "compare.h"
 #include "fmi3_importer.h"
 

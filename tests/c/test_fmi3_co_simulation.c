@@ -18,7 +18,7 @@ enum { EVENTS_OF_A_STRIDE = 9, MAX_EVENTS = 1000, STATES_COMPARED = 8 };
 static const char *const state_names[STATES_COMPARED] = {
     "foot.x", "foot.y", "leg.length", "leg.angle", "foot.vx", "foot.vy", "leg.length_rate", "leg.angle_rate"};
 
-/* In step mode, at a time; without event mode at 0. */
+/* Brings an instance into step mode at a time, through event mode. */
 static fmi3Instance started(fmi3Instance instance, double time) {
     update_answer answer;
     initialize_unit_at(&fmi3, instance, time);
@@ -72,7 +72,7 @@ static double run_until_it_sticks(fmi3Instance instance) {
     return time;
 }
 
-/* In steps of a grid, stopping for every event; returns how many there were. */
+/* Runs in steps of a grid, stopping for every event; returns the number of events. */
 static int run_by_events(fmi3Instance instance, double from, double to, double step) {
     int events = 0;
     double time = from;
@@ -131,7 +131,7 @@ TEST(stopping_at_every_event_changes_nothing) {
     }
 }
 
-/* By a clock that counts the seconds of an epoch, or more coarsely yet. */
+/* Clocks that count the seconds since 1970, and more coarsely yet. */
 TEST(strides_stopped_at_events_do_not_depend_on_the_start_time) {
     static const double starts[] = {1.7e9, 1e13};
     static const char *const quantities[] = {"stride.period", "stride.length", "stride.stance_time",
@@ -327,7 +327,7 @@ static fmi3Instance stand_at_lift_off(void) {
     return NULL;
 }
 
-/* Where the flight law has no torque, both laws agree at lift-off and there is no graze. */
+/* Both laws agree at lift-off if the flight law has no torque, and there is no graze. */
 TEST(a_pending_event_is_that_of_the_settings_in_force) {
     static const char *const gains[] = {"hip.kp", "hip.kd"};
     for (int set = 0; set < 2; ++set) {

@@ -24,8 +24,8 @@ static fmi3Instance new_that_logs(fmi_kind kind) {
     return instance;
 }
 
-/* In the swing after the second stance; with events, before the first touchdown, which is still to be taken.
- */
+/* An instance in the swing after the second stance; with events, before the first touchdown, which is still
+ * to be taken. */
 static fmi3Instance new_on_its_way(fmi_kind kind) {
     step_answer step = {false, false, false, 0.0};
     fmi3Instance instance = new_that_logs(kind);
@@ -134,7 +134,7 @@ TEST(whatever_is_forged_is_refused_or_goes_on) {
     }
 }
 
-/* Of what is not a variable, too, but becomes one when a stride closes. */
+/* Fields of the open stride are checked, too: they become variables when the stride closes. */
 TEST(no_field_holds_what_is_not_a_number) {
     serialized good, bad;
     step_answer step;
@@ -158,7 +158,7 @@ TEST(no_field_holds_what_is_not_a_number) {
 /* ---- single fields --------------------------------------------------------------------------------------
  */
 
-/* Where a value first stands in the bytes; asserts that it does. */
+/* Offset of the first copy of a value in the bytes; asserts that there is one. */
 static size_t offset_of(const serialized *state, const void *value, size_t size) {
     size_t offset = FORGE_CONTENT;
     while (offset + size < state->size && memcmp(state->bytes + offset, value, size) != 0) {
@@ -387,7 +387,7 @@ TEST(work_that_no_run_has_done_is_refused) {
     }
 }
 
-/* In `state`, the counter that reads so. */
+/* Writes the largest Integer into the bytes of `state` that hold this counter. */
 static void fill_counter(serialized *state, fmi_kind kind, const char *name) {
     const serialized good = *state;
     const double full = INT_MAX;

@@ -1,5 +1,5 @@
-/* How an instance is made, in which state of it each call is refused, with which words, and what stays as it
- * was. */
+/* Life cycle of an instance: how it is made, in which state each call is refused, with which words, and what
+ * stays as it was. */
 #include "compare.h"
 #include "fmi2_importer.h"
 #include "fmi3_importer.h"
@@ -137,7 +137,7 @@ static fmi_status call_counts(const fmi_interface *fmi, void *instance) {
     return (fmi_status)status;
 }
 
-/* Where an instance can be: Model Exchange first, then Co-Simulation with event mode, then without. */
+/* States of an instance: Model Exchange first, then Co-Simulation with event mode, then without. */
 enum {
     ME_BEFORE = 1,
     ME_INITIALIZING = 2,

@@ -222,7 +222,7 @@ FMI_TEST(a_fall_freezes_and_stays_readable) {
     assert_true(value_of(fmi, instance, "time") == 2100.0);
 }
 
-/* In stance, the leg shorter than it may be: contact, phase and forces are those of the last moment. */
+/* The leg becomes too short in stance: contact, phase and forces are those of the last moment. */
 FMI_TEST(a_fall_leaves_the_last_contact_as_it_was) {
     void *instance = new_of_kind(fmi, STEPS);
     set_values(fmi, instance,

@@ -78,7 +78,7 @@ TEST(contradicting_start_values_are_read_and_what_follows_is_not) {
 
 /* ---- states by their value references, as PyFMI's get_state_space_representation ---------------------- */
 
-/* In a bent state of a flight. */
+/* The states are those of a flight, each of them changed. */
 FMI_TEST(states_set_one_by_one_are_states_set_as_a_whole) {
     double states[TDMF_STATE_COUNT], expected[TDMF_STATE_COUNT], found[TDMF_STATE_COUNT];
     const uint32_t first = reference_of("foot.x");

@@ -201,7 +201,7 @@ FMI_TEST(a_state_passed_where_its_address_is_due_is_left_alone) {
 
 /* ---- one way to go on for each interface -------------------------------------------------------------- */
 
-/* By Euler's method, with what it needs done at events. */
+/* A step of Euler's method, events included. */
 static void integrate_a_step(const fmi_interface *fmi, void *instance) {
     double states[TDMF_STATE_COUNT], slopes[TDMF_STATE_COUNT];
     double before[TDMF_GUARD_COUNT], after[TDMF_GUARD_COUNT];
@@ -224,7 +224,7 @@ static void integrate_a_step(const fmi_interface *fmi, void *instance) {
     }
 }
 
-/* For `duration`; with events, to the first one after it, which is left to be taken. */
+/* Runs for `duration`; with events, on to the next one, which is left to be taken. */
 static void go_on(const fmi_interface *fmi, void *instance, fmi_kind kind, double duration) {
     const double start = value_of(fmi, instance, "time");
     step_answer step = {.event = false};
@@ -371,7 +371,7 @@ FMI_TEST(restoring_replaces_parameters_and_what_follows_from_them) {
     assert_int_equal(fmi->free_saved(light, &saved), FMI_OK);
 }
 
-/* What a run has been does not depend on FMI's version. */
+/* Saved states do not depend on FMI's version. */
 FMI_TEST(a_state_goes_on_in_the_other_version) {
     static const char *const names[] = {"foot.x",          "foot.y",         "leg.length",
                                         "leg.angle",       "foot.vx",        "foot.vy",

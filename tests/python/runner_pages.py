@@ -9,7 +9,7 @@ from page_runs import ROOT, CompiledPage
 
 from c_core.pages.runner import Runner
 
-DESCRIPTION = Path(ROOT) / "c_core/derived/unit/fmi2/modelDescription.xml"
+DESCRIPTION = Path(ROOT) / "modelDescription.xml"
 VARIABLES = {v.get("name"): v for v in ElementTree.parse(DESCRIPTION).iter("ScalarVariable")}
 """The unit's variables, by name."""
 STATES = (

@@ -115,7 +115,7 @@ def test_inputs_carry_no_initial(unpacked):
 
 
 def test_the_page_lists_every_variable(unpacked, fmu):
-    """With what the description says of it."""
+    """Each row repeats the variable's description."""
     page = pathlib.Path(unpacked, "documentation", "index.html").read_text(encoding="utf-8")
     rows = re.findall(r"<tr><td><code>([^<]*)</code></td>((?:<td>[^<]*</td>){5})</tr>", page)
     assert [name for name, _ in rows] == list(fmu.variables)

@@ -63,7 +63,7 @@ def test_a_step_by_explicit_euler_takes_each_bounce_once():
 
 
 def test_a_hopper_by_coarse_steps_writes_down_what_happens():
-    """At any step of explicit Euler, touchdown, greatest compression, lift-off and apex take turns."""
+    """Touchdown, greatest compression, lift-off and apex take turns at any step of explicit Euler."""
     for step in (0.02, 0.01, 0.003, 0.0007):
         run = UnitRun(units_of(Hopper)[2], "me", spring__stiffness=100.0)
         words, last = "", 0
@@ -122,7 +122,7 @@ def test_energy_changes_by_works_alone(seed, interface):
 
 @pytest.mark.parametrize("interface", ["me", "cs"])
 def test_a_run_may_start_in_coordinates_that_the_unit_does_not_show(interface):
-    """From rest at 1.2 rad a mass swings as a pendulum. The world's coordinates follow from the start."""
+    """A mass released at 1.2 rad swings as a pendulum. The world's coordinates follow from the start."""
     run = UnitRun(units_of(Yoyo)[2], interface, begins=False, start__angle=1.2, start__turn=0.3)
     assert run["x"] == pytest.approx(np.sin(1.2), abs=1e-15)
     slopes = [run.slope(name, "start.angle") for name in ("x", "vy")]
@@ -170,7 +170,7 @@ def gap_of(hand, steps):
 
 
 def test_the_work_of_an_input_that_moves_between_events_is_accounted_for():
-    """To fourth order along a ramp, and to second order along a curve."""
+    """The error is of fourth order along a ramp, and of second order along a curve."""
     ramp = [gap_of(lambda t: 0.3 * t, steps) for steps in (50, 100)]
     curve = [gap_of(lambda t: 0.1 * np.sin(3 * t), steps) for steps in (50, 100)]
     assert ramp[1] < 1e-6 and ramp[1] < ramp[0] / 12

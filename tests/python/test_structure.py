@@ -21,7 +21,7 @@ WIDE = {
     "leg.extension": (-0.3, 0.3), "control.thrust": (-0.3, 0.3), "leg.length": (0.2, 2),
     "hip.place_time": (0, 10),
 }  # fmt: skip
-"""Where a jump leads, of what is not between -2 and 2."""
+"""Ranges of jumps, where they are not between -2 and 2."""
 OF_THE_UNIT = {"status.terminate_on_fall", "solver.method", "solver.relative_tolerance"}
 """Settings of the unit, which change no motion."""
 PATCHES = [(-30, 30), (0, 30), (40, 60)]
@@ -130,7 +130,7 @@ def unit(unpacked3, description3):
 
 
 class Observed:
-    """Which unknowns have been seen to follow which knowns at once."""
+    """Record of the knowns that unknowns were seen to follow at once."""
 
     def __init__(self, unknowns):
         self.of = {name: set() for name in unknowns}
@@ -177,7 +177,7 @@ def move_states_and_time(probe, observed, draw):
 
 
 def fall(probe):
-    """By a leg that is too short."""
+    """Make the runner fall, because its leg is too short."""
     probe.model.enterContinuousTimeMode()
     states = probe.states()
     states[probe.unit.states.index("leg.length")] = 0.01

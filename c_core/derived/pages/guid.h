@@ -1,1 +1,1 @@
-#define FMU_GUID "{04efb8f0-c9be-c164-19c4-33ebc7b44461}"
+#define FMU_GUID "{22199640-0e55-e9b5-6492-74eb744981f6}"

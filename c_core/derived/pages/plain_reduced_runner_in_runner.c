@@ -13,7 +13,7 @@ static const int states[] = {0, 1, 2, 6, 7, 9, 10, 11, 13, 14, 15, 16, 17, 18, 1
     66, 67, 68, 69, 70, 71, 72, 73, 74, 75, 76, 77, 78, 83, 87, 88, 89, 90, 92, 93, 94, 95, 96, 97, 101, 103};
 static const int events[] = {4, 7, 8, 9, 11, 15, 16, 19, 20, 21};
 static const int copies[][2] = {{12, 11}};
-/* Number of things that act on the whole runner `r` and are not on the plain page. */
+/* Number of effects that act on the whole runner `r` and are missing on the plain page. */
 static real excess(const real *parameters, const real *states) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;

@@ -1620,7 +1620,7 @@ static real vary_guard_flight_calm_touchdown(const real *parameters, const real 
     return d_above;
 }
 
-/* clamp: The clamp of (12) holds the retracting torque at 0. */
+/* clamp: The clamp of the hip torque closes: it holds the retracting torque at 0. */
 static int react_flight_calm_clamp(const real *parameters, const real *states, const tdmf_table *tables,
     real *after, const int *next) {
     plain_runner_states *y = (void *)after;
@@ -1664,7 +1664,7 @@ static real vary_guard_flight_calm_clamp(const real *parameters, const real *sta
     return d_servo;
 }
 
-/* release: The clamp of (12) releases the retracting torque. */
+/* release: The clamp of the hip torque opens: it releases the retracting torque. */
 static int react_flight_calm_release(const real *parameters, const real *states, const tdmf_table *tables,
     real *after, const int *next) {
     plain_runner_states *y = (void *)after;
@@ -1942,7 +1942,7 @@ static real vary_guard_graze_apex_in_graze(const real *parameters, const real *s
     return d_rise;
 }
 
-/* clamp: The clamp of (12) holds the retracting torque at 0. */
+/* clamp: The clamp of the hip torque closes: it holds the retracting torque at 0. */
 static int react_graze_clamp(const real *parameters, const real *states, const tdmf_table *tables,
     real *after, const int *next) {
     plain_runner_states *y = (void *)after;
@@ -1972,7 +1972,7 @@ static real vary_guard_graze_clamp(const real *parameters, const real *states, c
     return d_servo;
 }
 
-/* release: The clamp of (12) releases the retracting torque. */
+/* release: The clamp of the hip torque opens: it releases the retracting torque. */
 static int react_graze_release(const real *parameters, const real *states, const tdmf_table *tables,
     real *after, const int *next) {
     plain_runner_states *y = (void *)after;

@@ -29,7 +29,7 @@ typedef struct {
     real kd; /* N.m.s/rad: Derivative gain of the hip in flight */
     real touchdown_angle; /* rad: Touchdown angle: target of the leg angle before touchdown, theta0 */
     real liftoff_factor; /* 1: Target of the leg angle after lift-off, over the angle at lift-off, eta */
-    real swing_clamp; /* 1: Whether the torque that retracts the leg is clamped at 0 from below */
+    real swing_clamp; /* 1: True if the torque that retracts the leg is clamped at 0 from below */
 } plain_runner_parameters;
 
 typedef struct {
@@ -56,11 +56,10 @@ typedef struct {
     real x_then; /* m: Position of the centre of mass at the start of the stride */
     real y_then; /* m: Height of the centre of mass at the start of the stride */
     real count; /* 1: Number of completed strides */
-    real word_code; /* 1: Gait word: + slip forward, 0 stick, - slip backward,
-        | new stance; negative if cut */
+    real word_code; /* 1: Gait word: + slip forward, 0 stick, - slip backward, | new stance */
     real period; /* s: Period of the stride, T */
-    real distance; /* m: Distance covered in the stride */
-    real rise_of_stride; /* m: Height gained in the stride */
+    real distance; /* m: Distance covered by the centre of mass in the stride */
+    real rise_of_stride; /* m: Height gained by the centre of mass in the stride */
     real work_of_stride; /* J: Net work of hip and leg in the stride, W */
     real hip_work; /* J: Net work of the hip in the stride */
     real positive_work; /* J: Positive work of the hip in the stride */
@@ -115,7 +114,7 @@ typedef struct {
     real placed_for; /* s: Time in place at the last impact */
     real rises_again; /* 1: 1 if an impact with immediate lift-off interrupted place, else 0 */
     real work; /* J: Work of the total hip torque since the start, W */
-    real has_fallen; /* 1: Whether the runner has fallen, which freezes the motion */
+    real has_fallen; /* 1: True after a fall, which freezes the motion */
 } plain_runner_states;
 
 typedef struct {

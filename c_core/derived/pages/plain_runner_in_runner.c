@@ -14,7 +14,7 @@ static const int states[] = {0, 1, 2, 3, 4, 5, 6, 7, 9, 10, 11, 13, 14, 15, 16, 
     96, 97, 98, 99, 100, 101, 103};
 static const int events[] = {4, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 19, 20, 21, 23, 24};
 static const int copies[][2] = {{12, 11}};
-/* Number of things that act on the whole runner `r` and are not on the plain page. */
+/* Number of effects that act on the whole runner `r` and are missing on the plain page. */
 static real excess(const real *parameters, const real *states) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;

@@ -1139,7 +1139,7 @@ static void guard_flight_calm_touchdown(const real *constants, const real *serie
     }
 }
 
-/* clamp: The clamp of (12) holds the retracting torque at 0. */
+/* clamp: The clamp of the hip torque closes: it holds the retracting torque at 0. */
 static void guard_flight_calm_clamp(const real *constants, const real *series, int order, real *g) {
     const flight_calm_constants *c = (const void *)constants;
     const flight_calm_series *s = (const void *)series;
@@ -1149,7 +1149,7 @@ static void guard_flight_calm_clamp(const real *constants, const real *series, i
     }
 }
 
-/* release: The clamp of (12) releases the retracting torque. */
+/* release: The clamp of the hip torque opens: it releases the retracting torque. */
 static void guard_flight_calm_release(const real *constants, const real *series, int order, real *g) {
     const flight_calm_constants *c = (const void *)constants;
     const flight_calm_series *s = (const void *)series;
@@ -1569,7 +1569,7 @@ static void guard_graze_apex_in_graze(const real *constants, const real *series,
     }
 }
 
-/* clamp: The clamp of (12) holds the retracting torque at 0. */
+/* clamp: The clamp of the hip torque closes: it holds the retracting torque at 0. */
 static void guard_graze_clamp(const real *constants, const real *series, int order, real *g) {
     const graze_constants *c = (const void *)constants;
     const graze_series *s = (const void *)series;
@@ -1579,7 +1579,7 @@ static void guard_graze_clamp(const real *constants, const real *series, int ord
     }
 }
 
-/* release: The clamp of (12) releases the retracting torque. */
+/* release: The clamp of the hip torque opens: it releases the retracting torque. */
 static void guard_graze_release(const real *constants, const real *series, int order, real *g) {
     const graze_constants *c = (const void *)constants;
     const graze_series *s = (const void *)series;

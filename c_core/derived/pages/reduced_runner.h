@@ -62,11 +62,10 @@ typedef struct {
     real x_then; /* m: Position of the centre of mass at the start of the stride */
     real y_then; /* m: Height of the centre of mass at the start of the stride */
     real count; /* 1: Number of completed strides */
-    real word_code; /* 1: Gait word: + slip forward, 0 stick, - slip backward,
-        | new stance; negative if cut */
+    real word_code; /* 1: Gait word: + slip forward, 0 stick, - slip backward, | new stance */
     real period; /* s: Period of the stride, T */
-    real distance; /* m: Distance covered in the stride */
-    real rise_of_stride; /* m: Height gained in the stride */
+    real distance; /* m: Distance covered by the centre of mass in the stride */
+    real rise_of_stride; /* m: Height gained by the centre of mass in the stride */
     real work_of_stride; /* J: Net work of hip and leg in the stride, W */
     real hip_work; /* J: Net work of the hip in the stride */
     real leg_work_of_stride; /* J: Net work of thrust and leg extension in the stride */
@@ -126,7 +125,7 @@ typedef struct {
     real placing; /* s: Time since the phase place began; 0 in other phases */
     real touchdown_time; /* s: Time of the last impact */
     real work; /* J: Work of the total hip torque since the start, W */
-    real has_fallen; /* 1: Whether the runner has fallen, which freezes the motion */
+    real has_fallen; /* 1: True after a fall, which freezes the motion */
 } reduced_runner_states;
 
 typedef struct {

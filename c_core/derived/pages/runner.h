@@ -27,9 +27,9 @@ typedef struct {
     real patch_begin; /* m: Position where the patch begins */
     real patch_end; /* m: Position where the patch ends; ground.patch_begin for no patch */
     real patch_friction; /* 1: Friction coefficient on the patch, mu_p */
-    real by_stride; /* 1: Whether a new segment comes at each apex, and not at its border */
-    real trips; /* 1: Whether a foot that meets the face of a higher segment falls */
-    real keeps_friction; /* 1: Whether a stance keeps the friction of the segment on which it began */
+    real by_stride; /* 1: True if a new segment comes at each apex, and not at its border */
+    real trips; /* 1: True if a foot that meets the face of a higher segment falls */
+    real keeps_friction; /* 1: True if a stance keeps the friction of the segment on which it began */
     real body_mass; /* kg: Mass of the body, m */
     real foot_mass; /* kg: Mass of the foot, m_f */
     real stiffness; /* N/m: Stiffness of the leg spring, k */
@@ -51,7 +51,7 @@ typedef struct {
     real liftoff_factor; /* 1: Target of the leg angle after lift-off, over the angle at lift-off, eta */
     real retraction_rate; /* rad/s: Swing-leg retraction: rate at which the target angle falls after the apex,
         omega */
-    real swing_clamp; /* 1: Whether the torque that retracts the leg is clamped at 0 from below */
+    real swing_clamp; /* 1: True if the torque that retracts the leg is clamped at 0 from below */
     real more_angle; /* rad: Added to hip.touchdown_angle */
     real more_torque; /* N.m: Added to hip.stance_torque */
 } runner_parameters;
@@ -82,11 +82,10 @@ typedef struct {
     real x_then; /* m: Position of the centre of mass at the start of the stride */
     real y_then; /* m: Height of the centre of mass at the start of the stride */
     real count; /* 1: Number of completed strides */
-    real word_code; /* 1: Gait word: + slip forward, 0 stick, - slip backward,
-        | new stance; negative if cut */
+    real word_code; /* 1: Gait word: + slip forward, 0 stick, - slip backward, | new stance */
     real period; /* s: Period of the stride, T */
-    real distance; /* m: Distance covered in the stride */
-    real rise_of_stride; /* m: Height gained in the stride */
+    real distance; /* m: Distance covered by the centre of mass in the stride */
+    real rise_of_stride; /* m: Height gained by the centre of mass in the stride */
     real work_of_stride; /* J: Net work of hip and leg in the stride, W */
     real hip_work; /* J: Net work of the hip in the stride */
     real leg_work_of_stride; /* J: Net work of thrust and leg extension in the stride */
@@ -162,7 +161,7 @@ typedef struct {
     real rises_again; /* 1: 1 if an impact with immediate lift-off interrupted place, else 0 */
     real work; /* J: Work of the total hip torque since the start, W */
     real external_torque_rate; /* N.m/s: Rate at which `external_torque` is ramped */
-    real has_fallen; /* 1: Whether the runner has fallen, which freezes the motion */
+    real has_fallen; /* 1: True after a fall, which freezes the motion */
 } runner_states;
 
 typedef struct {

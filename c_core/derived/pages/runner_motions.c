@@ -1692,7 +1692,7 @@ static void guard_flight_calm_touchdown(const real *constants, const real *serie
     }
 }
 
-/* clamp: The clamp of (12) holds the retracting torque at 0. */
+/* clamp: The clamp of the hip torque closes: it holds the retracting torque at 0. */
 static void guard_flight_calm_clamp(const real *constants, const real *series, int order, real *g) {
     const flight_calm_constants *c = (const void *)constants;
     const flight_calm_series *s = (const void *)series;
@@ -1702,7 +1702,7 @@ static void guard_flight_calm_clamp(const real *constants, const real *series, i
     }
 }
 
-/* release: The clamp of (12) releases the retracting torque. */
+/* release: The clamp of the hip torque opens: it releases the retracting torque. */
 static void guard_flight_calm_release(const real *constants, const real *series, int order, real *g) {
     const flight_calm_constants *c = (const void *)constants;
     const flight_calm_series *s = (const void *)series;
@@ -2277,7 +2277,7 @@ static void guard_graze_apex_in_graze(const real *constants, const real *series,
     }
 }
 
-/* clamp: The clamp of (12) holds the retracting torque at 0. */
+/* clamp: The clamp of the hip torque closes: it holds the retracting torque at 0. */
 static void guard_graze_clamp(const real *constants, const real *series, int order, real *g) {
     const graze_constants *c = (const void *)constants;
     const graze_series *s = (const void *)series;
@@ -2287,7 +2287,7 @@ static void guard_graze_clamp(const real *constants, const real *series, int ord
     }
 }
 
-/* release: The clamp of (12) releases the retracting torque. */
+/* release: The clamp of the hip torque opens: it releases the retracting torque. */
 static void guard_graze_release(const real *constants, const real *series, int order, real *g) {
     const graze_constants *c = (const void *)constants;
     const graze_series *s = (const void *)series;
@@ -3586,7 +3586,7 @@ static void guard_flight_pushed_touchdown(const real *constants, const real *ser
     }
 }
 
-/* clamp: The clamp of (12) holds the retracting torque at 0. */
+/* clamp: The clamp of the hip torque closes: it holds the retracting torque at 0. */
 static void guard_flight_pushed_clamp(const real *constants, const real *series, int order, real *g) {
     const flight_pushed_constants *c = (const void *)constants;
     const flight_pushed_series *s = (const void *)series;
@@ -3596,7 +3596,7 @@ static void guard_flight_pushed_clamp(const real *constants, const real *series,
     }
 }
 
-/* release: The clamp of (12) releases the retracting torque. */
+/* release: The clamp of the hip torque opens: it releases the retracting torque. */
 static void guard_flight_pushed_release(const real *constants, const real *series, int order, real *g) {
     const flight_pushed_constants *c = (const void *)constants;
     const flight_pushed_series *s = (const void *)series;

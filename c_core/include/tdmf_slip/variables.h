@@ -40,13 +40,13 @@ typedef struct {
                                         eta */
         double retraction_rate; /* Swing-leg retraction: rate at which the target angle falls after the apex,
                                    omega, rad/s */
-        bool swing_clamp;       /* Whether the torque that retracts the leg is clamped at 0 from below */
+        bool swing_clamp;       /* True if the torque that retracts the leg is clamped at 0 from below */
     } hip;
 } tdmf_parameters;
 
-/* What may change during a run. Rates of inputs, per second, have the same shape; zero where they are held.
- * Discrete inputs, such as ground.height, ground.slope and control, change at events only: their rates are
- * always zero. */
+/* Inputs, which may change during a run. Their rates, per second, have the same shape; the rate of an input
+ * that is held is zero. Discrete inputs, such as ground.height, ground.slope and control, change at events
+ * only: their rates are always zero. */
 typedef struct {
     struct {
         double friction; /* Friction coefficient between foot and ground, mu */
@@ -70,8 +70,8 @@ typedef struct {
     } control;
 } tdmf_inputs;
 
-/* How many numbers there are among the parameters, which come first in their struct; how many inputs; and how
- * many settings: inputs and tunable parameters. */
+/* Counts of the numbers among the parameters, which come first in their struct, of the inputs, and of the
+ * settings: inputs and tunable parameters. */
 enum { TDMF_PARAMETER_COUNT = 19, TDMF_INPUT_COUNT = 10, TDMF_SETTING_LIMIT = 17 };
 
 /* Indices into a state vector of TDMF_STATE_COUNT doubles. The first eight are q and its rate, in the order
@@ -103,7 +103,7 @@ enum {
 typedef enum {
     TDMF_GUARD_TOUCHDOWN, /* the foot reaches the ground */
     TDMF_GUARD_APEX,      /* a stride closes and place begins */
-    TDMF_GUARD_CLAMP,     /* the clamp of (12) holds the retracting torque at 0 */
+    TDMF_GUARD_CLAMP,     /* the clamp of the hip torque closes: it holds the retracting torque at 0 */
     TDMF_GUARD_LIFT_OFF, /* the normal force ends: flight if the flight law lifts the foot, too, else graze */
     TDMF_GUARD_SLIP_ONSET_POSITIVE, /* the push of the leg exceeds static friction, and the foot slips forward
                                      */
