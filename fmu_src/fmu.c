@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const long usual_step_limit = 1000000; /* of a call */
+static const long usual_step_limit = 1000000; /* steps in a call */
 const double rounding_at_event = 1e-9;
 
 void fmu_reset(fmu *fmu) {
@@ -119,7 +119,7 @@ bool fmu_complete_step(fmu *fmu) {
     tdmf_note_guards(&at, guards, fmu->watch);
     tdmf_note_largest(&at, states_of(fmu));
     for (int i = 0; i < at.mode->guard_count; ++i) {
-        asks |= guards[i].is_due; /* where an importer has passed over it, or an input lets it be watched */
+        asks |= guards[i].is_due; /* an importer passed over the guard, or an input lets it be watched */
     }
     if (quantity_has_jumped(fmu)) {
         return true;
@@ -361,7 +361,7 @@ void fmu_differentiate_start(const fmu *given, const struct fmu *started, struct
     apply_starts(seed);
     for (int i = 0; i < UNIT_CONTINUOUS_COUNT; ++i) {
         double *of_state = &states_of(seed)[unit_states[i].index];
-        *of_state = unit_states[i].has_start ? *of_state : 0.0; /* whatever it was */
+        *of_state = unit_states[i].has_start ? *of_state : 0.0; /* the value that it had does not matter */
     }
     memcpy(dx, states_of(seed), UNIT_STATE_COUNT * sizeof *dx);
     tdmf_page_run run = run_of(&begun);

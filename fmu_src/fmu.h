@@ -33,12 +33,12 @@ typedef struct {
 
 /* The fields before `step_limit` are plain data without padding, which saved states copy. */
 typedef struct fmu {
-    int32_t has_begun;        /* 0 or 1, as the next two */
+    int32_t has_begun;        /* 0 or 1, as are event_is_pending and has_jumped */
     int32_t event_is_pending; /* in Co-Simulation with event mode: the run stands just before an event */
     int32_t has_jumped;       /* since the last update a jump of an input has changed states */
     int32_t event;            /* number of the pending event */
     page_motion motion;
-    double time;  /* the importer's; that of the motion is the page's */
+    double time;  /* the importer's time; the time of the motion is the page's */
     double epoch; /* the importer's time at the page's time 0 */
     double settings[SETTING_COUNT];
     double starts[UNIT_STATE_COUNT + 1]; /* start values of states in other coordinates than the world's */
@@ -49,7 +49,7 @@ typedef struct fmu {
     double accounted[UNIT_NUMBER_COUNT + 1], accounted_rates[UNIT_STATE_COUNT + 1], accounted_time;
     int64_t work[WORK_COUNT];
     unsigned char watch[8 * (UNIT_EVENT_COUNT / 8 + 1)]; /* a watch_state for each event */
-    int64_t step_limit;                                  /* of a call; not part of the run */
+    int64_t step_limit;                                  /* limit of steps in a call; not part of the run */
     double *memory, *instant; /* working memory of a run and of an instant; it holds nothing between calls */
     bool is_exchange;
 } fmu;
@@ -57,8 +57,7 @@ typedef struct fmu {
 /* Values that follow from a run, computed on request. */
 typedef struct {
     double numbers[UNIT_NUMBER_COUNT + 1];
-    double
-        states[UNIT_CONTINUOUS_COUNT + 1]; /* of a run that has not begun: those that it would begin with */
+    double states[UNIT_CONTINUOUS_COUNT + 1]; /* before the run: the states with which it would begin */
     double derivatives[UNIT_CONTINUOUS_COUNT + 1];
     double guards[UNIT_GUARD_COUNT + 1];
     double outputs[UNIT_OUTPUT_COUNT + 1];
@@ -89,8 +88,7 @@ static inline bool fmu_is_time(double time) {
 
 void fmu_evaluate(const fmu *fmu, fmu_view *view);
 
-/* The change along a direction of all that follows from states, inputs and settings. The direction is a unit
- * whose states, inputs and parameters are the seed. */
+/* The directional derivative of a view by states, inputs and parameters, whose seeds are those of `seed`. */
 void fmu_differentiate(const fmu *fmu, const struct fmu *seed, fmu_view *variation);
 
 /* The change at the start of a run, along a direction of all that a start follows from: the seed is in the

@@ -47,7 +47,7 @@ typedef struct instance {
     interface_kind interface;
     call_state state;
     unsigned log_categories;
-    bool log_was_chosen; /* by a call of fmi2SetDebugLogging or fmi3SetDebugLogging */
+    bool log_was_chosen; /* true after a call of fmi2SetDebugLogging or fmi3SetDebugLogging */
     char *name;
     /* Passes a message to the importer, if it has a logger. */
     void (*send)(const struct instance *instance, call_status status, const char *category, const char *text);
@@ -192,7 +192,7 @@ typedef struct {
     bool states_changed;
     bool terminate;
     bool next_time_defined;
-    double next_time; /* of a time event, by which the solver's step has to end; or 0 */
+    double next_time; /* time of a time event, at which the solver's step has to end; or 0 */
 } discrete_update;
 call_status update_discrete_states(instance *instance, const char *call, discrete_update *update);
 

@@ -172,7 +172,7 @@ void fmu_evaluate(const fmu *fmu, fmu_view *view) {
     indicators_at(fmu, &at, view->guards);
     shown_mode_of(fmu)->outputs(parameters_of(fmu), states_of(fmu), view->outputs);
     for (int i = 0; i < UNIT_OUTPUT_COUNT; ++i) {
-        view->outputs[i] = fmu_within_largest(view->outputs[i]); /* of a trial state, which may be any */
+        view->outputs[i] = fmu_within_largest(view->outputs[i]); /* trial states may give any value */
     }
     for (int i = 0; i < WORK_COUNT; ++i) {
         view->work[i] = (double)fmu->work[i];

@@ -69,7 +69,7 @@ call_status set_logging(instance *instance, const char *call, bool on, size_t co
 
 char *number_text(double number, char text[NUMBER_CAPACITY]) {
     snprintf(text, NUMBER_CAPACITY, "%.15g", number);
-    char *comma = strchr(text, ','); /* of the locale */
+    char *comma = strchr(text, ','); /* decimal point of the locale */
     if (comma != NULL) {
         *comma = '.';
     }

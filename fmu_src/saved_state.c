@@ -14,10 +14,10 @@ enum { RUN_SIZE = offsetof(fmu, step_limit) };
 
 typedef struct {
     uint64_t zero; /* for importers that pass a state to be freed instead of its address */
-    char guid[40]; /* of the unit that saved it: its variables and version */
+    char guid[40]; /* guid of the unit that saved the state: its variables and version */
     uint32_t byte_order;
     uint32_t size;
-    uint64_t checksum; /* of what follows */
+    uint64_t checksum; /* checksum of the bytes that follow */
     int32_t interface, state;
     unsigned char run[RUN_SIZE];
 } saved_state;

@@ -14,7 +14,7 @@ typedef struct {
 
 /* An event indicator: the least guard of some events, or the rate of an observed largest value. */
 typedef struct {
-    uint64_t events; /* a bit for each; 0: of an observed quantity */
+    uint64_t events; /* a bit for each event; 0 for an observed quantity */
     int into;        /* the state that the quantity goes into */
 } unit_guard;
 
@@ -28,12 +28,12 @@ typedef struct {
 /* An enumeration that describes a mode in messages. */
 typedef struct {
     int output;
-    const char *const *names; /* of the values 1, 2, ... */
+    const char *const *names; /* names of the values 1, 2, ... */
 } unit_enumeration;
 
 /* A number that must not be negative at a start. */
 typedef struct {
-    bool of_parameters; /* alone: it must not be negative ever after, either */
+    bool of_parameters; /* true if only parameters decide it: it must stay non-negative in the run */
     int variable;       /* value reference of the variable that a refusal names */
     const char *allowed;
     int bound; /* value reference of the variable that `allowed` ends with, or -1 */
@@ -48,7 +48,7 @@ typedef struct {
 
 /* A number of a run: a parameter or a state of the page. */
 typedef struct {
-    const char *name; /* of its variable, else the page's own */
+    const char *name; /* name of its variable, else the page's own name */
     double least, most;
 } unit_number;
 
@@ -57,11 +57,11 @@ typedef struct {
     int state;
     double least, most;
     bool is_whole;
-    bool moves; /* between events, so that it is the importer's in Model Exchange */
+    bool moves; /* true if it changes between events, so that Model Exchange leaves it to the importer */
 } unit_bound;
 
 extern const tdmf_model_kind *const unit_model;
-extern const tdmf_page_part *const unit_part; /* runs where it has all that acts; NULL: there is none */
+extern const tdmf_page_part *const unit_part; /* smaller page, run if it has everything that acts, or NULL */
 extern const unit_state unit_states[];
 extern const unit_guard unit_guards[];
 extern const unit_word unit_words[];
@@ -71,10 +71,10 @@ extern const unit_number unit_numbers[]; /* parameters, then states */
 extern const unit_bound unit_bounds[];
 extern const unit_nominal unit_nominals[];
 extern const char *const unit_event_names[]; /* for messages */
-extern const uint64_t unit_immediate_events; /* whose guards are below zero for ever */
-extern const int unit_input_rates[];         /* of each state of the page, the state that ramps it, or -1 */
+extern const uint64_t unit_immediate_events; /* events whose guards are always below zero */
+extern const int unit_input_rates[];         /* for each state of the page, the state that ramps it, or -1 */
 extern const int unit_clock;                 /* a state of the page, or -1 */
-extern const bool unit_holds_time[];         /* of each state of the page; negative before there is one */
-extern const char *const unit_allowed[];     /* of each variable, its range in words, or NULL */
+extern const bool unit_holds_time[];         /* for each state of the page; negative before there is a time */
+extern const char *const unit_allowed[];     /* for each variable, its range in words, or NULL */
 
 #endif

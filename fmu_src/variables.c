@@ -40,7 +40,7 @@ double fmu_get_number(const fmu *fmu, const fmu_view *view, const fmu_variable *
     if (variable->type != VARIABLE_INTEGER) {
         return value;
     }
-    const bool is_code = variable->maximum < INT_MAX; /* of a word, which may be too long for one */
+    const bool is_code = variable->maximum < INT_MAX; /* code of a word; a long word has none */
     return is_code && !(value >= 0.0 && value <= variable->maximum) ? -1.0
                                                                     : fmin(fmax(value, -INT_MAX), INT_MAX);
 }

@@ -21,15 +21,15 @@ typedef enum {
 typedef enum {
     STORED_TIME,
     STORED_PARAMETER,
-    STORED_SETTING, /* of the unit, not of its model */
+    STORED_SETTING, /* a setting of the unit, not of its model */
     STORED_INPUT,
-    STORED_STATE,      /* continuous; its number */
-    STORED_START,      /* of a state that the unit shows otherwise */
+    STORED_STATE,      /* number of a continuous state */
+    STORED_START,      /* start value of a state that the unit does not show */
     STORED_DERIVATIVE, /* number of the state */
     STORED_OUTPUT,
     STORED_HELD, /* a state of the model that changes at events only */
     STORED_GUARD,
-    STORED_WORK /* of the solver in Co-Simulation */
+    STORED_WORK /* counter of the solver in Co-Simulation */
 } fmu_storage;
 
 typedef enum {

@@ -52,7 +52,7 @@ class Description:
 
     def __init__(self, unit, fmi, version, sources):
         self.unit, self.fmi, self.sources = unit, fmi, sources
-        self.first = 1 if fmi == 2 else 0  # of indices, where FMI 3.0 has value references
+        self.first_index = 1 if fmi == 2 else 0  # FMI 3.0 has value references instead of indices
         given = {"fmiVersion": f"{fmi}.0", "modelName": unit.identifier, **unit.about, "version": version}
         given["guid" if fmi == 2 else "instantiationToken"] = unit.identity
         given |= {"generationTool": f"TDMF-SLIP {version}", "variableNamingConvention": "structured"}
@@ -122,7 +122,7 @@ class Description:
         """A variable; in FMI 2.0 what depends on its type is an element of its own."""
         kind, own = self.unit.type_of(row), self.unit.attributes(row)
         if row.derivative:
-            own["derivative"] = str(self.unit.number[row.derivative] + self.first)
+            own["derivative"] = str(self.unit.number[row.derivative] + self.first_index)
         common = {"name": row.name, "valueReference": str(self.unit.number[row.name])}
         common |= {"description": row.about or None, "causality": row.causality}
         common |= {"variability": row.variability, "initial": row.initial}
@@ -158,8 +158,8 @@ class Description:
                 parent, tag, name = self.add(structure, GROUPS[tag]), "Unknown", "index"
             for row in rows:
                 references = self.unit.references(row, at_start)
-                given = " ".join(str(i + self.first) for i in references)
-                self.add(parent, tag, **{name: str(number[row.name] + self.first)}, dependencies=given)
+                given = " ".join(str(i + self.first_index) for i in references)
+                self.add(parent, tag, **{name: str(number[row.name] + self.first_index)}, dependencies=given)
 
 
 def description(unit, fmi, version, sources):

@@ -146,9 +146,9 @@ class Unit:
     def __init__(self, page):
         self.page, self.model, self.world, self.rows = page, page.model, World(page), []
         self.identifier = self.identifier or page.model.__name__
-        self.of_rates, _ = self.world.dependencies(self.world.rates)
-        self.of_outputs, self.moving_outputs = self.world.dependencies(self.world.outputs)
-        self.of_guards, _ = self.world.dependencies(self.world.indicators)
+        self.rate_dependencies, _ = self.world.dependencies(self.world.rates)
+        self.output_dependencies, self.moving_outputs = self.world.dependencies(self.world.outputs)
+        self.guard_dependencies, _ = self.world.dependencies(self.world.indicators)
         self.guards = {n: Guard([n], None) for n in page.events if self.is_indicator(n)}
         peaks = {n: o.into for n, o in page.observed.items() if o.part == "largest" and o.is_usual}
         self.guards |= {n: Guard([], into) for n, into in peaks.items()}
@@ -300,7 +300,7 @@ class Unit:
             self.add(f"start.{public_of(name)}", "START", places[name], "parameter", "fixed", **given)
         for i, name in enumerate(world.states):
             public, unit = public_of(name), per_second(page.states[name].unit or "1")
-            given = {"initial": "calculated", "derivative": public, "depends": self.of_rates[name]}
+            given = {"initial": "calculated", "derivative": public, "depends": self.rate_dependencies[name]}
             place = "DERIVATIVE", i, "local", "continuous"
             self.add(f"der({public})", *place, unit, f"Time derivative of {public}", **given)
         shown = {row.name for row in self.rows} | {public_of(name) for name in page.outputs}
@@ -317,7 +317,11 @@ class Unit:
             kind = function.kind_of_value
             moves = kind is float and name in self.moving_outputs
             given = {"unit": function.unit, "about": function.__doc__ or "", "kind": kind}
-            given |= {"initial": "calculated", "depends": self.of_outputs[name], "items": function.items}
+            given |= {
+                "initial": "calculated",
+                "depends": self.output_dependencies[name],
+                "items": function.items,
+            }
             variability = "continuous" if moves else "discrete"
             self.add_number(self.model.public(name), "OUTPUT", i, "output", variability, **given)
 
@@ -326,7 +330,7 @@ class Unit:
         for i, name in enumerate(self.guards):
             behind = self.guard_events.get(name, [name])
             function = self.page.events.get(behind[0]) or self.page.observed[behind[0]]
-            depends = set().union(*(self.of_guards.get(n, set()) for n in behind))
+            depends = set().union(*(self.guard_dependencies.get(n, set()) for n in behind))
             about = function.__doc__ or name
             about = f"{'' if behind[0] in self.page.events else 'rate of the '}{about[0].lower()}{about[1:]}"
             given = {"about": f"Event indicator: {about}", "depends": depends, "initial": "calculated"}

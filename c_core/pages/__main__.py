@@ -24,7 +24,7 @@ from ..hybrid.unit import identify
 from ..hybrid.unit_tables import header, tables
 from ..hybrid.unit_files import shared_sources, sources_of, write_files
 from . import ClassicSlip, PlainReducedRunner, PlainRunner, ReducedRunner, Runner
-from .tables import declarations, listed, python, ranges
+from .tables import declarations, documentation_page, package_table, ranges
 from .unit import runner_unit
 
 PAGES = ClassicSlip, PlainReducedRunner, PlainRunner, ReducedRunner, Runner
@@ -88,15 +88,15 @@ for model in (PlainRunner, PlainReducedRunner, ReducedRunner):
 unit = runner_unit(pages[Runner])
 texts |= {"unit_page.h": header(unit), "unit_page.c": tables(unit), "ranges.c": ranges(unit)}
 
-header = (core / "include/tdmf_slip/version.h").read_text("utf-8")
-version = ".".join(re.findall(r"^#define TDMF_VERSION_[A-Z]+ (\d+)$", header, re.MULTILINE))
-OF_UNIT = r"(plain_)?runner(_motions|_in_runner)?\.[ch]|unit_page\.[ch]"
-of_unit = {name: text for name, text in texts.items() if re.fullmatch(OF_UNIT, name)}
-identify(unit, of_unit, version)
-texts["guid.h"] = of_unit["guid.h"]
-shared = shared_sources(of_unit)
-compiled = {fmi: sources_of([*of_unit, *shared], fmi) for fmi in (2, 3)}
-places = {f"c_core/derived/pages/{name}" for name in of_unit}
+version_header = (core / "include/tdmf_slip/version.h").read_text("utf-8")
+version = ".".join(re.findall(r"^#define TDMF_VERSION_[A-Z]+ (\d+)$", version_header, re.MULTILINE))
+UNIT_FILES = r"(plain_)?runner(_motions|_in_runner)?\.[ch]|unit_page\.[ch]"
+unit_files = {name: text for name, text in texts.items() if re.fullmatch(UNIT_FILES, name)}
+identify(unit, unit_files, version)
+texts["guid.h"] = unit_files["guid.h"]
+shared = shared_sources(unit_files)
+compiled = {fmi: sources_of([*unit_files, *shared], fmi) for fmi in (2, 3)}
+places = {f"c_core/derived/pages/{name}" for name in unit_files}
 places |= {path.relative_to(project).as_posix() for path in shared.values()}
 template = (project / "fmu_src/documentation/index.html").read_text("utf-8")
 files = {f"c_core/derived/pages/{name}": text for name, text in texts.items()} | {
@@ -104,8 +104,8 @@ files = {f"c_core/derived/pages/{name}": text for name, text in texts.items()} |
     "c_core/derived/unit/fmi3/modelDescription.xml": description(unit, 3, version, compiled[3]),
     "c_core/derived/unit/fmi3/sources/buildDescription.xml": build_description(unit, compiled[3]),
     "c_core/derived/unit/fmi3/terminalsAndIcons/terminalsAndIcons.xml": terminals(unit),
-    "c_core/derived/unit/index.html": listed(unit, template),
-    "c_core/derived/unit/data.py": python(unit),
+    "c_core/derived/unit/index.html": documentation_page(unit, template),
+    "c_core/derived/unit/data.py": package_table(unit),
     "c_core/derived/unit/sources.txt": "\n".join([*sorted(places), ""]),
     "c_core/include/tdmf_slip/variables.h": declarations(unit),
 }

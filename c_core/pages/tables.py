@@ -173,7 +173,7 @@ def ranges(unit):
             f"    [{constant(row)}] = TDMF_QUANTITY_{in_words[row.unit]}," for row in states_of(unit)))
 
 
-def listed(unit, template):
+def documentation_page(unit, template):
     """The page of documentation, with a row for every variable."""
     head = ("variable", "unit", "range", "default", "kind", "meaning")
     lines = ['<table class="all">', "<tr>" + "".join(f"<th>{title}</th>" for title in head) + "</tr>"]
@@ -217,7 +217,7 @@ def python_variable(unit, row):
         {DISPLAY[row.unit]: DEGREES} if kind == "Real" and row.unit in DISPLAY else {})
 
 
-def python(unit):
+def package_table(unit):
     """The module of data of the Python package."""
     strides = [(row.name.partition(".")[2], row.unit, row.about, "")
                for row in unit.rows if group_of(row) == "stride"]

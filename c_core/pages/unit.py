@@ -129,7 +129,7 @@ QUANTITIES = [
 
 Each has its name, unit, meaning, and the coordinate of the stride's first apex that it is.
 """
-OF_REDUCED = """
+REDUCED_QUANTITIES = """
     period length rise speed work hip_work leg_work positive_work cost_of_transport touchdowns stance_time
     duty_factor slip_distance peak_force peak_vertical_force frequency liftoff_angle external_work
     damper_loss friction_loss impact_loss apex_height apex_speed
@@ -137,9 +137,9 @@ OF_REDUCED = """
 MODELS = {
     "full": (
         "com_height com_speed leg_length leg_angle leg_length_rate leg_angle_rate",
-        f"""{OF_REDUCED} apex_leg_angle foot_clearance greatest_foot_height greatest_slip_velocity
+        f"""{REDUCED_QUANTITIES} apex_leg_angle foot_clearance greatest_foot_height greatest_slip_velocity
         squared_torque positive_hip_work positive_leg_work positive_cost_of_transport"""),
-    "reduced": ("com_height com_speed", OF_REDUCED),
+    "reduced": ("com_height com_speed", REDUCED_QUANTITIES),
 }
 """Coordinates of an apex and quantities of a stride, in the order of the C library, by model."""
 SCALES = "body.mass", "leg.stiffness", "leg.free_length"

@@ -22,7 +22,7 @@ WIDE = {
     "hip.place_time": (0, 10),
 }  # fmt: skip
 """Ranges of jumps, where they are not between -2 and 2."""
-OF_THE_UNIT = {"status.terminate_on_fall", "solver.method", "solver.relative_tolerance"}
+UNIT_SETTINGS = {"status.terminate_on_fall", "solver.method", "solver.relative_tolerance"}
 """Settings of the unit, which change no motion."""
 PATCHES = [(-30, 30), (0, 30), (40, 60)]
 """Patches of ground below the foot, near it and elsewhere."""
@@ -268,7 +268,7 @@ def test_initial_unknowns_follow_the_declared_start_values(unit):
     declared = unit.declared("initialUnknowns")
     observed = Observed(declared)
     settable = [v for v in unit.variables.values() if v.initial == "exact" or v.causality == "input"]
-    whole_start = {v.name for v in settable} - OF_THE_UNIT | {"time"}
+    whole_start = {v.name for v in settable} - UNIT_SETTINGS | {"time"}
     read, refused = Counter(), 0
     for i in range(INITIAL_STARTS):
         start, time = initial_start(draw, i), draw.choice([0.0, 2.0])
