@@ -1,4 +1,4 @@
-"""Balls of attraction: what comes into one settles, as points of another drawing say, and fates are equal."""
+"""Balls of attraction: starts inside settle, also points drawn anew, and fates are the same as without."""
 
 import dataclasses
 
@@ -59,14 +59,14 @@ def test_points_of_a_tested_ball_settle_because_the_norm_falls(gait, ball):
 
 
 def test_a_larger_ball_of_the_norm_is_none(gait, ball):
-    """From some point of one half as wide again the norm does not fall as it has to, or a runner falls."""
+    """In a ball half as wide again the norm does not fall enough from some point, or a runner falls."""
     away = points_in(dataclasses.replace(ball, matrix=ball.matrix / 1.5), 5_000, surface=True)
     assert rates(gait, ball, away).max() > gait.lambda_max + 0.75 * (1.0 - gait.lambda_max)
 
 
 @pytest.mark.parametrize("reduced", [False, True])
 def test_fates_are_equal_with_a_ball_and_without(gait, ball, reduced):
-    """Of 24 by 24 starts, or with --release of 64 by 64."""
+    """The map has 24 by 24 starts, or 64 by 64 with --release."""
     count = 64 if RELEASE else 24
     if reduced:
         gait = find_gait(Runner(gait.runner, model="reduced"))

@@ -1,4 +1,4 @@
-"""Regions of attraction: fates are what runs of the unit say, whoever computes them, and none is lost."""
+"""Regions of attraction: fates agree with runs of the unit, on any executor, and none is lost."""
 
 import json
 
@@ -143,7 +143,7 @@ def drawn(data):
 
 
 def pixels_near(pixels, axes, at, colour):
-    """How many pixels of a colour are within 12 of a point of the map."""
+    """Number of pixels of a colour within 12 of a point of the map."""
     across, up = axes.transData.transform(at)
     row, column = pixels.shape[0] - round(up), round(across)
     part = pixels[row - 12 : row + 12, column - 12 : column + 12].astype(float)

@@ -39,7 +39,7 @@ def over_angle(runner):
 
 
 def settled(runner, apex, strides=STRIDES):
-    """The apex after so many plain strides, and how many of them there were."""
+    """The apex after a number of plain strides, and the number of strides made."""
     return runner.settle(np.asarray(apex), strides)
 
 
@@ -125,7 +125,7 @@ def test_gaits_of_two_strides_are_those_of_plain_strides(over_low_angle):
 
 
 def code_of(word):
-    """As the library writes a word: base 4, the first letter most significant."""
+    """Code of a word in the library: base 4, the first letter most significant."""
     return int("".join(str("|-0+".index(letter)) for letter in word), 4)
 
 
@@ -138,7 +138,7 @@ BORDERED = [
 
 @pytest.mark.parametrize(("preset", "name", "begin", "end", "smallest"), BORDERED[: 3 if RELEASE else 1])
 def test_a_word_border_is_where_plain_strides_change_their_word(preset, name, begin, end, smallest):
-    """On both sides, also of words that hold over 3e-6 of the parameter: side by side in the ensemble."""
+    """Runners on both sides of each border settle in the ensemble, also where a word holds over 3e-6."""
     runner = Runner(read_parameters(preset))
     rows = rows_of(continue_branch(runner, {name: (begin, end)}, switch=False))
     borders = [(special.value, special) for special in specials(rows, "word border")]
@@ -168,6 +168,16 @@ def test_a_neimark_sacker_point_is_where_plain_strides_spiral_in_or_out(over_ang
         gait = next(gaits_over(near.gait.runner, ANGLE, [value], near.gait))
         apex, ran = settled(gait.runner, gait.apex + 1e-4 * gait.runner.scales)
         assert (ran == STRIDES and apart(gait.runner, apex, gait.apex) < 1e-6) == settles
+
+
+@pytest.mark.filterwarnings("error")
+def test_gaits_and_pictures_have_the_values_that_vary():
+    """Without the stiffness the preset would mix units."""
+    branch = continue_branch("human", {"leg.stiffness": (20000.0, 20100.0)}, max_points=2, switch=False)
+    found = gait_at(branch.isel(point=1))
+    assert found.runner == Runner("human").replace({"leg.stiffness": found.runner["leg.stiffness"]})
+    assert found.runner["leg.stiffness"] == branch["leg.stiffness"].values[1]
+    assert plot(branch).axes[0].get_ylabel() == "apex.com_speed (m/s)"
 
 
 def test_a_gait_is_on_the_branch_of_its_own_model_only():

@@ -1,4 +1,4 @@
-"""Runners made equal: what is held is equal, and what is not is told."""
+"""Matched runners: held quantities are equal, and those that cannot be held are reported."""
 
 import json
 import re
@@ -19,7 +19,7 @@ SLIPS, STICKS = {"ground.friction": 0.2}, {"ground.friction": 10.0}
     [((SLIPS, STICKS), (0.16691, 0.71533, 0.75664)), ((STICKS, SLIPS), (0.27647, 0.68187, 2.28424))],
 )
 def test_the_matched_runners_are_met(runners, found):
-    """With the clamp, as they were computed independently."""
+    """The matched values were computed independently, with the clamp."""
     runners = [runner | CLAMPED for runner in runners]
     matched = compare(runners, hold=HOLD, vary=VARY)
     assert matched["held"].dims == ("runner", "quantity") and bool(matched["held"].all())
@@ -33,7 +33,7 @@ def test_the_matched_runners_are_met(runners, found):
     )
 
 
-def test_what_cannot_be_held_is_told(command):
+def test_quantities_that_cannot_be_held_are_reported(command):
     status, _, said = command("compare", "--friction", 0.2, "--hold", "speed", "--vary", "hip.kp")
     assert status == 2 and "allowed: two runners or more" in said
     options = ("--hold", "cost_of_transport", "--vary", "hip.kp")
@@ -74,6 +74,6 @@ def test_the_command_prints_what_the_function_gives(command):
         ([SLIPS, STICKS], HOLD, [*VARY[:2], "hip.torq"], "hip.torq"),
     ],
 )
-def test_what_makes_no_sense_is_refused(runners, hold, vary, message):
+def test_wrong_arguments_are_refused(runners, hold, vary, message):
     with pytest.raises(InputError, match=message):
         compare(runners, hold=hold, vary=vary)

@@ -1,4 +1,4 @@
-"""Branches of gaits: what happens on them is located, judged by its eigenvalues, and never passed over."""
+"""Branches of gaits: special points are located, classified by eigenvalues, and never passed over."""
 
 from itertools import pairwise
 from pathlib import Path
@@ -23,7 +23,7 @@ def human():
 
 
 def special_points_met(rows):
-    """How often the number of unstable eigenvalues changes or the branch turns: at special points."""
+    """Number of changes of the unstable eigenvalues and turns of the branch, all at special points."""
     found = [special for special in specials(rows) if special.kind != "word border"]
     changes = 0
     for before, after in pairwise(met(rows)):
@@ -38,7 +38,7 @@ def special_points_met(rows):
 
 
 def assert_judged_rightly(special):
-    """The eigenvalues at the point are asked, whoever located it."""
+    """The eigenvalues at the point are those of its kind."""
     values = special.gait.eigenvalues
     if special.kind == "fold":
         assert np.min(np.abs(values - 1.0)) < 1e-7
@@ -56,7 +56,7 @@ def assert_judged_rightly(special):
     ("name", "end", "most"),
     some_of([("leg.stiffness", 15000.0, 40), ("hip.kd", 75.0, 40), ("leg.damping", 24.0, 30)], 1),
 )
-def test_nothing_is_passed_over_where_gaits_are_wild(human, name, end, most):
+def test_no_special_point_is_passed_over_where_gaits_are_wild(human, name, end, most):
     rows = rows_of(
         continue_branch(
             find_gait(human), {name: (human[name], end)}, max_step=0.1, max_points=most, switch=False

@@ -123,7 +123,7 @@ def test_period_doublings_over_two_parameters(command, tmp_path):
 
 
 def test_a_word_border_crosses_the_ranges_of_two_parameters_and_has_each_word_on_its_side():
-    """Whichever way the first range leads: left of the curve the word of a lower friction is written."""
+    """The word of a lower friction stands left of the curve, whichever way the first range leads."""
     curves = continue_curves({}, {FRICTION: (1.1, 1.2), DAMPING: (0.198, 0.202)})
     names = "kind", "before", "after", "began", "ended"
     assert [curves[name].item() for name in names] == [

@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 from conftest import CLAMPED, reference_gaits, release
 from tdmf_slip import Batch, InputError, RunError, Runner, find_gait
-from tdmf_slip.analysis import sweeps
 from tdmf_slip.analysis.along import gaits_over
+from tdmf_slip.analysis.gait_problem import BranchProblem
 from tdmf_slip.analysis.search import periodic_gait
 from tdmf_slip.analysis.sweeps import gait_at, sweep
 from tdmf_slip.library.engine import FATES
@@ -241,12 +241,13 @@ def test_a_sweep_goes_on_beyond_a_gap():
 
 
 def test_a_border_that_is_not_located_loses_no_gait(runner, monkeypatch):
-    def none(*_):
-        raise RunError("not located")
+    def failing(*_):
+        raise RunError("no convergence")
 
-    monkeypatch.setattr(sweeps, "crossings", none)
+    monkeypatch.setattr(BranchProblem, "border", failing)
     found = sweep(runner, {FRICTION: [0.6, 0.45]}).gaits
-    assert (found["word"] != "").all() and found["problem"].item() == "not located"
+    problem = "border of +0-0+ not located near ground.friction = 0.6: no convergence"
+    assert (found["word"] != "").all() and found["problem"].item() == problem
 
 
 def test_a_grid_over_a_mass(runner):

@@ -96,7 +96,7 @@ def test_a_period_that_doubles_again_is_followed_and_a_third_time_is_told():
 
 
 def test_the_henon_map_folds_and_doubles_its_period():
-    """At 3 (1-b)^2/4 and at the fold -(1-b)^2/4, beyond which x goes to infinity where a goes to 0."""
+    """The period doubling is at 3 (1-b)^2/4 and the fold at -(1-b)^2/4; x is infinite at a = 0."""
     problem = MapProblem(henon, 2)
     branch, _ = followed(problem, problem.beginning(0.6, [0.7, 0.2], -1.0), -1.0, 0.6)
     assert specials_of(branch) == [("period doubling", 3 * 0.49 / 4), ("fold", -0.49 / 4)]
@@ -125,7 +125,7 @@ def classic_slip_step(height, angle):
 
 
 def test_the_classic_slip_folds_where_its_own_slope_says():
-    """At 44.59 degrees, where the paper's stable and unstable gaits meet."""
+    """The fold is at 44.59 degrees, where the paper's stable and unstable gaits meet."""
     problem = MapProblem(classic_slip_step, 1)
     low = np.radians(43.0)
     stable = next(gait for gait in classic_slip.fixed_points(low) if gait.stable)
@@ -163,11 +163,11 @@ def both(one, other):
             lambda p: both(pair(p + 0.2), real(-p - 0.03, 0.1)),
             [("Neimark-Sacker", 0.8), ("period doubling", 0.97)],
         ),
-        # Where none passes the unit circle there is nothing: a neutral saddle, and two that become a pair.
+        # No special point without a passage of the unit circle: a neutral saddle, and two that become a pair.
         (lambda p: real(p + 1.0, 0.5), []),
         (lambda p: real(2.2 - p, 1.2) if p < 1.0 else pair(1.2, p - 1.0), []),
         (lambda p: real(0.5 * p, -0.3), []),
-        # What is none of them is kept: eigenvalues that jump, two at once, and a branch that does not turn.
+        # Unclassified points are kept: eigenvalues that jump, two at once, and a branch that does not turn.
         (lambda p: real(0.9 if p < 1.0 else 1.1, 0.0), [("unclassified", 1.0)]),
         (lambda p: pair(0.9 if p < 1.0 else 1.1), [("unclassified", 1.0)]),
         (lambda p: pair(0.9) if p < 1.0 else real(1.1, 1.2), [("unclassified", 1.0)]),

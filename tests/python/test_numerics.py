@@ -42,7 +42,7 @@ def test_damping_finds_a_root_from_where_whole_steps_diverge():
 
 
 def test_the_jacobian_is_kept_while_steps_converge():
-    """From nearby, one Jacobian leads to the root of two; with one that is given, none is computed."""
+    """One Jacobian leads to the root of two from nearby; with a given one, none is computed."""
     root = Root(*SQUARE)
     found = solve(root, [1.414])
     assert found.x[0] == pytest.approx(math.sqrt(2.0), abs=1e-14)

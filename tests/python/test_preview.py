@@ -55,7 +55,7 @@ def test_an_island_as_wide_as_a_square_is_found_and_a_smaller_one_may_be_missed(
 
 @pytest.mark.parametrize("friction", some_of([1.2, 10.0], 1))
 def test_a_preview_is_the_exact_map_where_a_border_crosses_it(friction):
-    """Where there are both fates, and by less than half of the strides."""
+    """The border is the exact map's, found by less than half of the strides."""
     exact = tdmf_slip.basin({"ground.friction": friction}, AXES, n=64)
     preview = tdmf_slip.basin({"ground.friction": friction}, AXES, n=64, refine="preview")
     assert len(np.unique(exact["fate"])) > 1

@@ -1,6 +1,7 @@
 """Results on file: whole or in blocks that are done; only the same work is resumed."""
 
 import json
+from concurrent.futures import Executor, Future
 
 import numpy as np
 import pytest
@@ -103,6 +104,32 @@ def test_a_block_without_its_place_is_refused(half):
         data.assign_attrs({} if place is None else {"place": place}).to_netcdf(part)
         with pytest.raises(InputError, match="not this sweep: without its place"):
             sweep(None, VARY, path=path)
+
+
+class LastFirst(Executor):
+    """Runs each call but the first, which waits."""
+
+    def __init__(self):
+        self.futures = []
+
+    def submit(self, fn, /, *args):
+        self.futures.append(Future())
+        if len(self.futures) > 1:
+            self.futures[-1].set_result(fn(*args))
+        return self.futures[-1]
+
+
+def test_a_row_that_cannot_be_written_ends_the_others(monkeypatch):
+    """The error ends them at once, also where it is kept, as a notebook does."""
+
+    def failing(*_):
+        raise OSError("no space left")
+
+    monkeypatch.setattr(Resumed, "write", failing)
+    executor = LastFirst()
+    with pytest.raises(OSError, match="no space left") as kept:
+        sweep(None, VARY, executor=executor)
+    assert executor.futures[0].cancelled() and kept.value is not None
 
 
 RECORD = {"version": "1", "model": "full", "runner": {}}

@@ -52,7 +52,7 @@ def test_runners_meet_the_steps_that_the_unit_meets(gait, monkeypatch):
 
 
 def test_the_interval_covers_the_mean_as_often_as_it_says():
-    """Geometric numbers of strides, censored at the mean: so that a third is still up."""
+    """Geometric numbers of strides, censored at the mean, where a third is still up."""
     mean, runners, experiments = 40, 12, 2000
     lengths = np.random.default_rng(3).geometric(1.0 / mean, size=(experiments, runners))
     runner, covered = Runner(), 0
@@ -75,7 +75,7 @@ def test_where_none_falls_the_mean_is_open_above_and_where_all_fall_at_once_it_i
 
 
 def test_censoring_does_not_move_the_mean(gait):
-    """Runners stopped early tell what runners tell that nearly all fall: the fall is forgetful."""
+    """Runners stopped early have the same mean as runners that nearly all fall: the fall is memoryless."""
     long = strides_to_fall(gait.runner, 0.5, 400, 1, 1000)
     short = strides_to_fall(gait.runner, 0.5, 400, 2, 15)
     assert long.censored < 10 and short.censored > 100
@@ -87,6 +87,7 @@ def test_a_mean_depends_on_the_seed_and_on_nobody_who_works(gait, monkeypatch):
     assert strides_to_fall(gait.runner, 0.5, 200, 2, 30) != whole
     monkeypatch.setattr("tdmf_slip.analysis.first_passage.MAX_IN_A_BLOCK", 33)
     assert strides_to_fall(gait.runner, 0.5, 200, 1, 30) == whole
+    assert f", {whole.falls} of 200 runners fell>" in repr(whole)
 
 
 def test_the_command_tells_the_mean(command):
@@ -121,3 +122,9 @@ def test_the_command_refuses_what_is_no_ground(command, arguments, message):
 def test_rough_ground_is_of_the_full_model():
     with pytest.raises(InputError, match="reduced map"):
         strides_to_fall(Runner(model="reduced"), 0.1)
+
+
+@pytest.mark.parametrize("foot_x", ["randm", [0.0, 1.0], float("nan")])
+def test_feet_are_numbers_or_random(gait, foot_x):
+    with pytest.raises(InputError, match="foot"):
+        strides_to_fall(gait.runner, 0.1, 3, foot_x=foot_x)

@@ -80,12 +80,12 @@ def by_splitting(chain, seed, keep=60, steps=120):
 
 
 def test_the_matrix_says_what_waiting_says():
-    """So that it may judge what waiting does not reach."""
+    """The matrix is checked where waiting is possible, before it judges rarer falls."""
     chain = RimlessWheel(3.0)
     mean, falls = waited(chain, 10_000, 200, 5)
     assert falls > 200
     assert chain.mean_by_matrix() == pytest.approx(mean, rel=4.0 / np.sqrt(falls))
-    assert RimlessWheel(1.6).mean_by_matrix() > 1e5  # what waiting does not reach
+    assert RimlessWheel(1.6).mean_by_matrix() > 1e5  # too rare to wait for
 
 
 @pytest.mark.parametrize("spread", some_of([1.6, 2.0, 3.0], 1))
@@ -149,7 +149,7 @@ def test_a_runner_falls_as_often_as_by_waiting(name, monkeypatch):
 
 
 def test_ground_that_splitting_does_not_know_is_refused_by_name():
-    with pytest.raises(InputError, match="friction_weights: friction that hangs together"):
+    with pytest.raises(InputError, match="friction_weights: correlated friction"):
         rare_falls({}, RoughGround(0.3, friction_spread=0.1, friction_weights=(0.6, 0.8)))
     with pytest.raises(InputError, match="roughness = 0 is not allowed"):
         rare_falls({}, RoughGround(friction_spread=0.1))

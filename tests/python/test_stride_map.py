@@ -67,7 +67,7 @@ def assert_same(one, other):
 
 
 def one_stride(found, runner, stride):
-    """What is kept of one stride, by name."""
+    """Quantities of one stride, by name."""
     return {name: found[name][runner, stride] for name in found.data_vars if found[name].ndim > 1}
 
 
@@ -76,7 +76,7 @@ def one_stride(found, runner, stride):
 
 @pytest.mark.parametrize("instructions", instruction_sets())
 def test_each_stride_is_that_of_the_return_map(gait, starts, instructions):
-    """With a torque of its own in coast, so that its power changes its sign."""
+    """A runner with a torque of its own in coast, whose power changes its sign."""
     runner = gait.runner.replace({"hip.external_torque": 0.01})
     found = stride_map(runner, starts, strides=2, tolerance=1e-13, instructions=instructions)
     compared = 0
@@ -261,7 +261,7 @@ class Philox:
 
 
 def decides(source, threshold, passes=lambda: True):
-    """Whether a falling run, from a threshold on, has an even length."""
+    """True if a falling run, from a threshold on, has an even length."""
     even = True
     while True:
         following = source.draw()

@@ -1,4 +1,4 @@
-"""Gaits with a target: what is prescribed is met, and what cannot be met is told with the nearest gait."""
+"""Gaits with a target: it is met, or refused with the nearest gait."""
 
 import json
 import re
@@ -22,7 +22,7 @@ def relative_change(gait, name, factor):
 
 
 def assert_met(gait, target, within=1e-10):
-    """By the strides of a runner that knows nothing of the target."""
+    """The gait, searched again without the target, has the prescribed quantities."""
     again = gait_near(gait.runner, gait.apex)
     assert target
     for name, value in target.items():
@@ -94,7 +94,7 @@ def test_the_fast_human_meets_as_many_targets_as_parameters_vary(target, vary):
 
 
 def test_the_preset_is_a_jogger():
-    """What was measured on people, as its file cites it; the duty factor is that of one straight leg."""
+    """The gait has the values measured on people that its file cites, and a straight leg's duty factor."""
     gait = find_gait(read_parameters("human"))
     values, stride = gait.runner, gait.stride
     assert gait.stable and gait.word == "+0+" and stride["touchdowns"] == 1.0
@@ -132,7 +132,7 @@ REFUSED = {
 
 @pytest.fixture(scope="module", params=some_of(REFUSED, 2))
 def refused(request):
-    """A target that is not met: whose, what, the error, and how many strides it took."""
+    """A target that is not met: parameters, target, varied names, error, and number of strides."""
     name, target, vary = REFUSED[request.param]
     strides, honest = [], GaitProblem.linearize
 
@@ -163,8 +163,8 @@ def test_the_nearest_gait_is_nearer_than_the_first(refused):
     assert {n for n in VARIED if nearest.runner[n] != again.runner[n]} == set()
 
 
-def test_what_helps_meets_the_target(refused):
-    """Each is tried as it is told: varied too, or instead of another; the target is met, or nearer."""
+def test_a_suggested_parameter_meets_the_target(refused):
+    """Each help is tried as printed, varied too or instead of another: the target is met, or nearer."""
     parameters, target, vary, error, _ = refused
     printed = re.findall(
         r"vary ([\w.]+) (too|instead of ([\w.]+)) \((meets the target|comes nearer)\)", str(error)
@@ -181,7 +181,7 @@ def test_what_helps_meets_the_target(refused):
             assert gap(problem.nearest, target) < 0.96 * gap(error.nearest, target)
 
 
-def test_the_command_tells_what_is_nearest_and_what_helps(command):
+def test_the_command_reports_the_nearest_gait_and_the_helps(command):
     target = ["--target", "cost_of_transport=0.001", "--vary", "hip.stance_torque"]
     status, out, said = command("gait", "--friction", "0.6", "--model", "reduced", *target, "--json")
     printed = json.loads(out)
@@ -215,7 +215,7 @@ def test_a_bad_target_gets_one_sentence(command, target, vary, words):
 
 
 @pytest.mark.parametrize("target", [{}, {"velocity": 1.0}, {"speed": "fast"}, 3.0])
-def test_what_is_no_order_is_refused(target):
+def test_a_target_of_the_wrong_kind_is_refused(target):
     with pytest.raises(InputError, match=r"target|speed"):
         find_gait({}, target=target, vary=["leg.stiffness"])
 
@@ -232,7 +232,7 @@ HAD = {
         ["hip.stance_torque", "hip.touchdown_angle"],
     ),
 }
-"""Orders that stable gaits have, far from the runner's own: by thrust 0.00867 and stiffness 1.2766, and by
+"""Targets that stable gaits have, far from the runner's own: by thrust 0.00867 and stiffness 1.2766, and by
 torque 0.11006 and angle 0.71879."""
 
 
@@ -245,8 +245,8 @@ def test_gaits_far_from_the_runners_own_are_found(name):
     assert {n for n in VARIED if gait.runner[n] != values[n]} <= set(vary)
 
 
-def test_what_a_random_runner_has_is_met():
-    """By construction each target has an answer: it is read off a runner whose varied values are random."""
+def test_the_target_of_a_random_runner_is_met():
+    """Each target is read off a runner with random values, so that it can be met."""
     ranges = {
         "hip.stance_torque": (0.1, 0.45),
         "hip.touchdown_angle": (0.4, 0.9),

@@ -37,7 +37,7 @@ def gaits_over(
 
 
 def points_over(problem: BranchProblem, point: Point, values: Iterable[float]) -> Iterator[Point]:
-    """The branch's point at each value, each from the one before; RunError as of `gaits_over`."""
+    """The branch's point at each value, each from the one before; raises as `gaits_over` does."""
     for value in values:
         point = to_value(problem, point, problem.runner.replace({problem.name: value})[problem.name])
         yield point
@@ -68,7 +68,7 @@ def to_value(problem: BranchProblem, point: Point, value: float) -> Point:
 
 
 def _beside(problem: BranchProblem, point: Point, value: float) -> Point:
-    """The point at a value nearer than a step along the branch is short, as rounding may leave two values."""
+    """The point at a value that is nearer than the shortest step, such as one that differs by rounding."""
     if problem.value(point) == value:
         return point
     goal = point.x.copy()

@@ -1,4 +1,4 @@
-"""How stable gaits are: by the largest eigenvalue, by what they attract, and by what is recovered from."""
+"""Volume of a gait's region of attraction, and the disturbances that a runner recovers from."""
 
 import functools
 import math
@@ -36,7 +36,7 @@ FARTHEST = 5.0
 COARSE, REFINEMENTS = 500, 2
 """Tries along the line, and how often the interval between two of them is divided again."""
 EDGE_TOLERANCE = 1e-8
-"""Relative tolerance of a step there: a stride errs by less than a hundredth of what the tries are apart."""
+"""Relative tolerance of a step of the tries: a stride errs by less than a hundredth of their distance."""
 DISTURBED: Mapping[str, str] = {
     "push_forward": "com_speed",
     "push_backward": "com_speed",
@@ -57,7 +57,7 @@ class Volume:
     box: float
     """The box's own volume, in the section's scales."""
     unsolved: int = 0
-    """Starts whose run the solver did not get through; they count as not settled."""
+    """Starts at which the solver failed; they count as not settled."""
     coordinates: tuple[str, ...] = COORDINATES
     """Coordinates of the box that are drawn: in the reduced map two."""
 
@@ -128,8 +128,8 @@ def volume(
     seed = checked_whole("seed", seed, 0, 2**63)
     work = functools.partial(_count_fates, gait, law, ball_of(gait, ball, samples, law), seed)
     sizes = sizes_of(samples, STARTS_AT_ONCE)
-    results = in_blocks(work, [*enumerate(sizes)], sizes, "volume", "starts", executor, progress)
-    counted = np.sum([found for _, found in results], axis=0)
+    with in_blocks(work, [*enumerate(sizes)], sizes, "volume", "starts", executor, progress) as results:
+        counted = np.sum([found for _, found in results], axis=0)
     coordinates = gait.runner.coordinates
     box = math.prod(high - low for low, high in (BOX[name] for name in coordinates))
     return Volume(samples, int(counted[SETTLED]), box, int(counted[UNSOLVED]), coordinates)
@@ -158,7 +158,7 @@ class Robustness:
 
 
 def robustness(gait: Gait, law: Law | None = None) -> Robustness:
-    """How far the region of attraction reaches from the gait's apex, without gap, in height and speed."""
+    """The disturbances of height and speed up to which the runner recovers from every smaller one, too."""
     check_attracts(gait, law)
     reach = functools.partial(_reach, gait, law)
     return Robustness(
@@ -170,7 +170,7 @@ def robustness(gait: Gait, law: Law | None = None) -> Robustness:
 
 
 def _reach(gait: Gait, law: Law | None, disturbance: str, direction: float) -> float:
-    """The first disturbance that is not recovered from, between the tries of a line that is refined."""
+    """The largest disturbance before the first that is not recovered from, on a line that is refined."""
     index = COORDINATES.index(DISTURBED[disturbance])
     recovered, lost = 0.0, FARTHEST * gait.runner.scales[index]
     for _ in range(REFINEMENTS):

@@ -64,7 +64,7 @@ ACCURACY = 5e-4
 from within 0.05 of a gait by a twentieth of that. Of 24,576 starts none has another fate than at 1e-10."""
 MAX_STRIDES = 400
 MAX_ALONG = 16384
-"""Starts along each axis of a map."""
+"""Largest number of starts along each axis of a map."""
 STARTS_AT_ONCE = 4096
 """Largest number of starts in a block."""
 
@@ -155,7 +155,7 @@ class Ball:
     """Apices around a gait's from which every run settles on it."""
 
     known: str
-    """How: `tested` at points, or `proved`."""
+    """Evidence: `tested` at points, or `proved`."""
     radius: float
     """Every apex no farther from the gait's in any coordinate, in units of the scales, is inside."""
     rate: float
@@ -171,7 +171,7 @@ class Ball:
 
 
 def saves_time(gait: Gait, starts: int) -> bool:
-    """Whether a tested ball is likely to save more strides than its test takes."""
+    """True if a tested ball is likely to save more strides than its test takes."""
     slowest = min(max(gait.lambda_max, 1e-3), 1.0 - 1e-9)
     saved = math.log(0.1 / NEAR) / -math.log(slowest)
     return 0.5 * starts * saved > STRIDES * (POINTS + FIRST_POINTS * len(WIDTHS) * 10)
@@ -204,7 +204,7 @@ def tested_ball(gait: Gait, law: Law | None = None) -> Ball | None:
 
 
 class _Stride:
-    """How the norm falls from points around a gait."""
+    """Measures the decrease of a norm over strides from points around a gait."""
 
     def __init__(self, gait: Gait, law: Law | None, matrix: NDArray[np.float64]) -> None:
         self.runner, self.law = gait.runner, law

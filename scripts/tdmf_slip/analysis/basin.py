@@ -41,12 +41,13 @@ AXES = ("com_height", "com_speed")
 Axes = Mapping[str, tuple[float, float] | None] | Sequence[str]
 """Two coordinates with their ranges."""
 LEG_LENGTH = COORDINATES.index("leg_length")
-"""The leg's length and the coordinates before it are positive; their ranges are relative to their values."""
+"""Number of the leg's length. Up to it coordinates are positive, and ranges are relative to their values."""
 NOT_YET = -1
+"""Fate of a start that has not been followed."""
 STRIDES = "strides_until_known"
 """Name of the variable that counts strides."""
 FOLLOWED = "is_followed"
-"""Name of a variable of previews."""
+"""Name of the mask of followed starts in previews."""
 POINTS_AT_ONCE = 1024
 """Largest number of starts in a block of a preview."""
 
@@ -56,7 +57,7 @@ MAX_AXIS = MAX_STARTS // 2
 
 
 def axes_of(axes: Any, model: Model) -> dict[str, tuple[float, float] | None]:
-    """The two coordinates with their ranges, None where it is to be around the gait."""
+    """The two coordinates with their ranges; None stands for a range around the gait."""
     allowed = "two coordinates of an apex with their ranges (low, high)"
     named = isinstance(axes, Mapping) or is_table(axes) or is_series(axes)
     names = mapping_of(axes, "axes", allowed) if named else row_of(axes, "axes", allowed)
@@ -75,7 +76,7 @@ def axes_of(axes: Any, model: Model) -> dict[str, tuple[float, float] | None]:
 
 
 def range_around(gait: Gait, axis: str) -> tuple[float, float]:
-    """Ends of a range of a coordinate that has the gait in it, and most of what it attracts."""
+    """Ends of a range of a coordinate that contains the gait and most of its region of attraction."""
     check_is_gait(gait, "gait")
     names = gait.runner.coordinates if gait.runner.model.is_own else COORDINATES
     check_axes((axis,), names)
@@ -213,9 +214,9 @@ class Slice:
 
     def starts(self, block: Sequence[NDArray[np.intp]] | NDArray[np.intp]) -> NDArray[np.float64]:
         """Starts by their rows and columns, shape (starts, n)."""
-        values = [of[index] for of, index in zip(self.along.values(), block, strict=True)]
+        chosen = [values[index] for values, index in zip(self.along.values(), block, strict=True)]
         columns = [self.gait.runner.coordinates.index(name) for name in self.along]
-        return starts_at(self.gait.apex, columns, np.column_stack(values))
+        return starts_at(self.gait.apex, columns, np.column_stack(chosen))
 
     def fates(self, block: Sequence[NDArray[np.intp]]) -> NDArray[np.int32]:
         """Fate, and strides until it was known, of starts by their rows and columns, shape (2, starts).
@@ -294,8 +295,7 @@ def _follow_rows(made: Resumed, slice_: Slice, executor: Executor | None, progre
     parts = [missing[first : first + at_once] for first in range(0, len(missing), at_once)]
     starts = [(np.repeat(part, columns), np.tile(np.arange(columns), len(part))) for part in parts]
     sizes, done = [len(part) * columns for part in parts], (rows - len(missing)) * columns
-    for number, found in in_blocks(
-        slice_.fates, starts, sizes, "basin", "starts", executor, progress, done=done
-    ):
-        fate, strides = found.reshape(2, -1, columns)
-        made.write({next(iter(slice_.along)): parts[number]}, {"fate": fate, STRIDES: strides})
+    with in_blocks(slice_.fates, starts, sizes, "basin", "starts", executor, progress, done=done) as results:
+        for number, found in results:
+            fate, strides = found.reshape(2, -1, columns)
+            made.write({next(iter(slice_.along)): parts[number]}, {"fate": fate, STRIDES: strides})

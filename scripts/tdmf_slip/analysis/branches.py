@@ -1,4 +1,4 @@
-"""Branches of gaits along a parameter: followed from a gait both ways, with all that happens on them."""
+"""Branches of gaits along a parameter, followed both ways from a gait, with their special points."""
 
 from __future__ import annotations
 
@@ -32,26 +32,26 @@ MAX_POINTS = 1_000_000
 """Largest number of gaits that may be asked for."""
 BEGINNING = "beginning of the range"
 STARTS = 24
-"""Values of the range at which a gait to begin with is looked for."""
+"""Number of values of the range at which a first gait is searched for."""
 MAX_STRIDES = 4
-"""Strides of the gaits that are followed; of a period doubling of theirs no further branch is followed."""
+"""Largest number of strides of a gait that is followed."""
 DEPARTURES = (1e-2, 3e-3, 1e-3, 3e-2)
 """Distances from a period doubling, over the scales, of the first gait of twice the period."""
 SAME_DOUBLING = 1e-8
 """Relative distance of period doublings that count as one."""
 UNEVEN = 0.5
-"""The halves of the first gait lie on both sides of the doubling, two departures apart up to this."""
+"""Largest deviation of the distance between the two halves of the first gait from two departures."""
 
 
 class Row(NamedTuple):
-    """A point of a branch: a gait, or what happens between two gaits."""
+    """A point of a branch: a gait, or a special point between two gaits."""
 
     value: float
     """Value of the parameter, in its unit."""
     gait: Gait
     """Gait at the value."""
     special: Special | None
-    """What happens there; None at a gait that was met."""
+    """Special point at the value; None at a gait that was met."""
 
 
 class Branch(NamedTuple):
@@ -60,39 +60,40 @@ class Branch(NamedTuple):
     rows: list[Row]
     """Gaits and special points in the branch's order."""
     began: str
-    """Why there are no earlier gaits, in the words of `ended`."""
+    """Reason why there are no earlier gaits, in the words of `ended`."""
     ended: str
-    """Why the branch stops: at the end of the range, where it began, or in words what happened."""
+    """Reason why the branch stops, such as the end of the range or the loss of the gait."""
     strides: int
-    """Number of strides after which its gaits repeat themselves."""
+    """Number of strides after which the gaits repeat themselves."""
 
 
 def _dataset(name: str, branches: Sequence[Branch]) -> xarray.Dataset:
     """A branch and those of more strides that begin on it, see `continue_branch`."""
-    rows = [row for of in branches for row in of.rows]
+    rows = [row for branch in branches for row in branch.rows]
     values, gaits, specials = zip(*rows, strict=True)
     runner, points = gaits[0].runner, {"point": np.arange(len(rows), dtype=float)}
     data = gaits_dataset("branch", gaits, points, varied=[name], over=name)
-    apexes = np.full((len(rows), max(of.strides for of in branches), len(runner.coordinates)), np.nan)
+    apexes = np.full((len(rows), max(branch.strides for branch in branches), len(runner.coordinates)), np.nan)
     for apex, gait in zip(apexes, gaits, strict=True):
         apex[: gait.strides] = gait.apexes
     nothing = Special("", np.nan, gaits[0], (np.nan, np.nan))
     found = [special or nothing for special in specials]
     texts = {
-        "special": ("point", [of.kind for of in found]),
-        "why": ("point", [of.why for of in found]),
-        "before": ("point", [of.words[0] for of in found]),
-        "after": ("point", [of.words[1] for of in found]),
-        "branch_began": ("branch", [of.began for of in branches]),
-        "branch_ended": ("branch", [of.ended for of in branches]),
+        "special": ("point", [special.kind for special in found]),
+        "why": ("point", [special.why for special in found]),
+        "before": ("point", [special.words[0] for special in found]),
+        "after": ("point", [special.words[1] for special in found]),
+        "branch_began": ("branch", [branch.began for branch in branches]),
+        "branch_ended": ("branch", [branch.ended for branch in branches]),
     }
+    lengths = [len(branch.rows) for branch in branches]
     variables: dict[str, Any] = {
         "unstable": ("point", [gait.unstable for gait in gaits]),
-        "between": (("point", "end"), [of.between for of in found]),
-        "branch_number": ("point", np.repeat(np.arange(len(branches)), [len(of.rows) for of in branches])),
-        "branch_strides": ("branch", [of.strides for of in branches]),
+        "between": (("point", "end"), [special.between for special in found]),
+        "branch_number": ("point", np.repeat(np.arange(len(branches)), lengths)),
+        "branch_strides": ("branch", [branch.strides for branch in branches]),
         "apexes": (("point", "stride", "coordinate"), apexes),
-        **{of: (over, np.array(row, dtype=object)) for of, (over, row) in texts.items()},
+        **{text: (over, np.array(row, dtype=object)) for text, (over, row) in texts.items()},
     }
     labels: dict[str, Any] = {
         name: ("point", np.array(values), runner.model.variables[name].attributes),
@@ -228,7 +229,7 @@ def whole_branch(
 
 
 def _reported(problem: BranchProblem, points: Sequence[Point], began: str, ended: str) -> Branch:
-    """Points as a branch, with all that happens between them."""
+    """The branch of points, with the special points between them."""
     rows = [Row(problem.value(points[0]), points[0].gait, None)]
     for before, after in pairwise(points):
         found = special_points(problem, before, after)
@@ -243,10 +244,10 @@ def with_doubled_branches(
     limits: Limits,
     step_finished: Callable[[], object] = lambda: None,
 ) -> list[Branch]:
-    """A branch, and those of twice the period from its period doublings, each once and followed by its own.
+    """A branch, and the branches of twice the period from its period doublings, each followed once.
 
-    On such a branch the period may double again: its gaits of four strides are followed likewise. A doubling
-    whose gaits are not followed says why.
+    A doubled branch stands before those from its own period doublings. A doubling whose gaits are not
+    followed keeps the reason.
     """
     strides, found = 2 * branch.strides, list[Branch]()
     met: list[float] = []

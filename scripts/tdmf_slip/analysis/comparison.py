@@ -1,7 +1,7 @@
-"""Runners compared with what could confound them held equal to what the first of them has.
+"""Comparison of runners that are matched in the quantities that could confound it.
 
-Two runners that differ in friction differ in speed, in how high they hop and in how high they carry the foot.
-A difference between them says what friction does only where these are the same.
+Runners that differ in friction also differ in speed, apex height and foot clearance. A difference between
+them shows the effect of friction only if these quantities are equal.
 """
 
 from __future__ import annotations
@@ -132,7 +132,7 @@ def _gait_of(given: Runner | Mapping[str, Given] | Gait | None, model: str | Non
 
 
 def _matched(gait: Gait, goal: Mapping[str, float], vary: Sequence[str], model: str | None) -> Gait:
-    """The gait with what is held, or the nearest one."""
+    """The gait with the held quantities of the reference, or the nearest one."""
     if all(_held(gait, goal)):
         return gait
     try:
@@ -142,7 +142,7 @@ def _matched(gait: Gait, goal: Mapping[str, float], vary: Sequence[str], model: 
 
 
 def _held(gait: Gait, goal: Mapping[str, float]) -> list[bool]:
-    """Whether each quantity is what it is to be."""
+    """Flags of the quantities that are equal to those of the reference."""
     has = quantities_of(gait, list(goal))
     return [
         abs(has[name] - wanted) <= MATCHED * max(abs(wanted), abs(has[name])) for name, wanted in goal.items()

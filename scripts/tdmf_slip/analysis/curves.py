@@ -38,9 +38,9 @@ if TYPE_CHECKING:
 DIFFERENCE = 1e-6
 """Difference of points, over the scales, by which the test function is differentiated."""
 PARTS, MAX_STEP = 15.0, 0.3
-"""No step is longer than this part of a range, nor than this over the scales."""
+"""Longest steps: a range over the first number, and the second number over the scales."""
 ON_CURVE = 0.02
-"""Distance, over the ranges, of a special point from a curve of its kind that goes through it."""
+"""Largest distance, over the ranges, of a special point from a curve that goes through it."""
 MAX_POINTS = 10_000
 """Largest number of points of a curve that may be asked for, in each direction."""
 KINK = 1e-3
@@ -61,15 +61,15 @@ class Curve(NamedTuple):
     points: NDArray[np.float64]
     """Both parameters at each point, in their units, shape (points, 2), in the curve's order."""
     began: str
-    """Why it has no earlier points."""
+    """Reason why the curve has no earlier points."""
     ended: str
-    """Why it has no more."""
+    """Reason why the curve has no further points."""
 
 
 class BifurcationProblem(GaitProblem):
     """Gaits over two parameters at which an eigenvalue is where a bifurcation has it.
 
-    By the last equation a matrix M is singular. With the map's Jacobian J it is J - I for folds, J + I for
+    The last equation makes a matrix M singular. With the map's Jacobian J it is J - I for folds, J + I for
     period doublings, and the bialternate product of J with itself less I for Neimark-Sacker points. Its
     residual is the least singular value of M with the sign of det M, which is smooth where it is zero.
     """
@@ -114,7 +114,7 @@ class BifurcationProblem(GaitProblem):
         return "the eigenvalues become real: beyond, their product is 1 and none is on the circle"
 
     def lost(self, last: Point, why: Exception) -> str:
-        """Why a curve cannot be followed on."""
+        """Reason why a curve cannot be followed on."""
         try:
             beyond, _ = super().describe(last.x + 1e-3 * last.tangent)
         except (InputError, RunError) as fate:
@@ -144,7 +144,7 @@ class BorderProblem(GaitProblem):
     """A border between two words over two parameters.
 
     It has no residual. On the plane across the border's tangent the gaits are a branch, on which the border
-    is located by bisection. So nothing is assumed of the branch: it may turn at a fold nearby.
+    is located by bisection. The branch may turn at a fold nearby: nothing is assumed about it.
     """
 
     same = 1e-6
@@ -172,7 +172,7 @@ class BorderProblem(GaitProblem):
         raise why
 
     def correct(self, goal: Vector, across: Vector, near: Point | None = None) -> Point:
-        """The border near a goal on the plane across a direction, from a point of it that is near."""
+        """The border near a goal on the plane across a direction, from a point of the border nearby."""
         assert near is not None
         shift = goal - near.x
         reach = max(float(np.linalg.norm(shift)), 1e-5)
@@ -192,7 +192,7 @@ class BorderProblem(GaitProblem):
         raise RunError(f"no border from {self.words[0]} to {self.words[1]} goes on: {why}")
 
     def leads_back(self, found: Point, known: Point) -> bool:
-        """Whether the border is found again from the tangent at another point."""
+        """True if the border is found again from the tangent at another point."""
         way = found.x - known.x
         try:
             back = self.correct(found.x - (way @ found.tangent) * found.tangent, found.tangent, found)
@@ -233,7 +233,7 @@ class BorderProblem(GaitProblem):
         return Point(x, tangent, (short, beyond), short.rows).along(across)
 
     def _exact_tangent(self, short: Side, beyond: Side) -> Vector | None:
-        """Tangent of the border, in which the gaits of both sides move alike; None without a kink."""
+        """Tangent of the border, common to the gaits of both sides; None without a kink."""
         _, sizes, directions = np.linalg.svd(np.vstack([short.rows, beyond.rows]))
         tangent: Vector = directions[-1]
         return tangent if sizes[-2] > KINK * sizes[-3] else None
@@ -249,8 +249,8 @@ def continue_curves(
 ) -> xarray.Dataset:
     """Follow curves of special points over two parameters, each both ways to the edges of the ranges.
 
-    They begin at the special points of the branch over the first parameter, at the runner's value of the
-    second, or where that is beyond its range at the range's beginning.
+    They begin at the special points of the branch over the first parameter. The second parameter has the
+    runner's value there, or the beginning of its range if the runner's value is outside.
 
     Parameters
     ----------
@@ -305,17 +305,18 @@ def _dataset(
         "before": [curve.words[0] for curve in curves],
         "after": [curve.words[1] for curve in curves],
     }
-    variables: dict[str, Any] = {name: ("curve", np.array(of, dtype=object)) for name, of in texts.items()}
+    variables: dict[str, Any] = {
+        name: ("curve", np.array(text, dtype=object)) for name, text in texts.items()
+    }
     numbers = np.repeat(np.arange(len(curves)), [len(curve.points) for curve in curves])
     variables["curve_number"] = "point", numbers
     coordinates = {
         name: ("point", column, runner.model.variables[name].attributes)
         for name, column in zip(names, points.T, strict=True)
     }
-    ranges = {
-        f"{axis}_range": list(map(float, of)) for axis, of in zip(("first", "second"), spans, strict=True)
-    }
-    data = dataset("curves", runner.record(*names), variables, coordinates, over=", ".join(names))
+    ranges = {f"{axis}_range": span.tolist() for axis, span in zip(("first", "second"), spans, strict=True)}
+    varied = names if len(points) else ()
+    data = dataset("curves", runner.record(*varied), variables, coordinates, over=", ".join(names))
     return data.assign_attrs(ranges)
 
 
@@ -340,13 +341,13 @@ def _curves(
             at = np.array([special.value, runner[second]])
             if special.kind == UNCLASSIFIED or _is_on(found, special, at, limits):
                 continue
-            if special.kind == WORD_BORDER or not any(special.words):  # else on a border, whose curve has it
+            if special.kind == WORD_BORDER or not any(special.words):  # otherwise on the curve of a border
                 found.append(curve_of(runner, names, special, at, limits, bar.update))
     return found
 
 
 def _is_on(found: Sequence[Curve], special: Special, at: Vector, limits: Limits) -> bool:
-    """Whether a curve that has been followed goes through a special point."""
+    """True if a curve that has been followed goes through a special point."""
     for curve in found:
         same = curve.kind == special.kind and {*curve.words} == {*special.words}
         if not same or len(curve.points) < 2:

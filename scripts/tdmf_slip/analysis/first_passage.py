@@ -1,7 +1,7 @@
-"""How long a runner stays up on rough ground: the mean number of strides until it falls.
+"""Mean number of strides until a runner falls on rough ground.
 
-That is the mean first-passage time by which K. Byl and R. Tedrake, "Metastable walking machines", Int. J.
-Robot. Res. 28, 1040 (2009), measure the stability of what falls for certain, sooner or later.
+K. Byl and R. Tedrake, "Metastable walking machines", Int. J. Robot. Res. 28, 1040 (2009), measure the
+stability of walkers that fall sooner or later by this mean first-passage time.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from functools import partial
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..checks import checked_whole
+from ..checks import checked_whole, refusal
 from ..errors import InputError
 from ..library.batch import Batch
 from ..library.engine import FELL, UNDECIDED, UNSOLVED
@@ -33,9 +33,9 @@ from .search import periodic_gait
 MAX_RUNNERS = 100_000_000
 MAX_STRIDES = 1_000_000
 STRIDES_IN_A_BLOCK = 200_000
-"""Largest number, unless runners are few: the library hears of no interrupt until it returns."""
+"""Largest number of strides in a block with many runners: the library sees an interrupt between blocks."""
 MIN_IN_A_BLOCK, MAX_IN_A_BLOCK = 64, 4096
-"""Runners; fewer would leave lanes empty."""
+"""Least and largest number of runners in a block; fewer would leave lanes empty."""
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -92,7 +92,11 @@ class FirstPassage(Falls):
     stopped: int = 0
     """Runners that came to stand, so that no further stride closed; they count as censored there."""
     unsolved: int = 0
-    """Runners that the solver did not get through; they count as censored, too."""
+    """Runners at which the solver failed; they count as censored, too."""
+
+    def __repr__(self) -> str:
+        """One line: the runner's gait, the mean with its interval, and how many runners fell."""
+        return f"{super().__repr__()[:-1]}, {self.falls:,} of {self.runners:,} runners fell>"
 
     @property
     def censored(self) -> int:
@@ -119,7 +123,7 @@ class FirstPassage(Falls):
             while self._likelihood(outside) > minimum:
                 outside *= factor
             logarithm = brentq(
-                lambda of: max(self._likelihood(math.exp(of)), -1e300) - minimum,
+                lambda log_mean: max(self._likelihood(math.exp(log_mean)), -1e300) - minimum,
                 *sorted((math.log(self.mean_strides), math.log(outside))),
             )
             return math.exp(logarithm)
@@ -139,7 +143,7 @@ class FirstPassage(Falls):
 
 
 def count_falls(max_strides: int, batch: Batch) -> NDArray[np.int64]:
-    """Falls, strides, and runners that stopped or are unsolved, of a batch within the most strides."""
+    """Numbers of falls, strides, stopped runners and unsolved runners of a batch."""
     run = batch.run(max_strides)
     falls = np.count_nonzero(run.fate == FELL)
     strides = run.strides.sum(dtype=np.int64) + falls
@@ -230,12 +234,13 @@ def strides_to_fall(
         for number, count in enumerate(sizes)
     ]
     work = partial(count_falls, max_strides)
-    counts = [found for _, found in in_blocks(work, batches, sizes, "rough", "runners", executor, progress)]
-    return FirstPassage(runner, start.word, ground.roughness, runners, *map(int, np.sum(counts, axis=0)))
+    with in_blocks(work, batches, sizes, "rough", "runners", executor, progress) as results:
+        counts = np.sum([found for _, found in results], axis=0)
+    return FirstPassage(runner, start.word, ground.roughness, runners, *map(int, counts))
 
 
 def rough_start(runner: RunnerLike, gait: Gait | None) -> tuple[Runner, Gait]:
-    """A runner of the full model, and the gait from which it starts: that without a patch of ground."""
+    """A runner of the full model, and the gait from which it starts, found without a patch of ground."""
     runner = Runner(runner)
     if runner.reduced:
         raise InputError(
@@ -255,6 +260,8 @@ def _feet(
     if isinstance(foot_x, str) and foot_x == "random":
         before = np.random.default_rng(seed).uniform(1.0, 2.0, runners)
         return runner["ground.patch_begin"] - before * float(start.stride["length"])
+    if isinstance(foot_x, str):
+        raise refusal("foot_x", foot_x, f'a finite number, ({runners},) of them, or "random"')
     feet = np.atleast_1d(numbers_up_to("foot_x", 0.0 if foot_x is None else foot_x, 1))
     feet = checked_values("foot.x", feet, "foot_x", {"runner": 0})
     if feet.size not in (1, runners):

@@ -22,7 +22,7 @@ from ..variables.variable import Given
 OPPOSITE = -0.5
 """Cosine of the angle by which the way from one half of a gait to the other turns where they swap places."""
 ASIDE = 0.25
-"""Distance of a solution from the middle between two others, over theirs, that makes it doubtful."""
+"""Distance of a solution from the middle between two others, over their distance, that makes it doubtful."""
 COARSE, BORDER_ACCURACY = 1e-8, 1e-11
 """Lengths of branch, over the scales, within which a border is located: first by the words of plain strides,
 which may be others right beside it, then by those of strides with derivatives."""
@@ -34,9 +34,9 @@ DESCRIBED = 16
 class GaitProblem(Problem):
     """Gaits over parameters, some with prescribed quantities; unknowns are the apex and the parameters.
 
-    Equations are that the last apex is the first one, and that each quantity is as prescribed, all over their
-    scales. With prescribed quantities the scales of the parameters are their values in the runner. Else they
-    are powers of two near these, so that a value survives being scaled.
+    The equations make the last apex the first one, and each quantity as prescribed, all over their scales.
+    With prescribed quantities the scales of the parameters are their values in the runner. Otherwise they
+    are powers of two near these values, because scaling by a power of two is exact.
     """
 
     def __init__(
@@ -67,7 +67,7 @@ class GaitProblem(Problem):
         """Number of the coordinates of an apex."""
         return len(self.scales) - len(self.names)
 
-    def aiming(self, goal: Vector | None) -> GaitProblem:
+    def with_goal(self, goal: Vector | None) -> GaitProblem:
         """The same gaits with other values prescribed, or with none."""
         other = copy.copy(self)
         if goal is None:
@@ -122,7 +122,7 @@ class GaitProblem(Problem):
     def describe(self, x: Vector) -> tuple[Gait, Matrix]:
         """The strides from a point, whether they lead back to it or not, and the derivatives.
 
-        A border is described again where its word was read, so the last descriptions are kept.
+        The last descriptions are kept, because a border is described again after its word was read.
         """
         key = x.tobytes()
         if key not in self._described:
@@ -254,15 +254,15 @@ class BranchProblem(GaitProblem):
         return self.at_doubling(min(self.doublings, key=lambda value: abs(value - middle)))
 
     def at_doubling(self, value: float) -> str:
-        """Why a branch of twice the period begins or ends."""
+        """Reason why a branch of twice the period begins or ends."""
         return f"period doubling at {self.name} = {value:.10g}"
 
     def at_edge(self, value: float, limits: Limits) -> str:
-        """Why the branch ended at an end of the range."""
+        """Reason why the branch ended at an end of the range."""
         return f"back at {self.name} = {value:g}" if value == limits.begin else "end of the range"
 
     def where_met(self, point: Point, following: Point, number: int) -> str:
-        """Why the branch ended at a gait where it has been."""
+        """Reason why the branch ended at a gait where it has been."""
         where = f"back at the gait at {self.where(point.x)}"
         if number:
             return f"retraced: {where}, begun by another of its strides"
@@ -271,7 +271,7 @@ class BranchProblem(GaitProblem):
         return f"retraced: {where}, from the other side"
 
     def lost(self, last: Point, why: Exception) -> str:
-        """Why the branch cannot be followed on."""
+        """Reason why the branch cannot be followed on."""
         where = self.where(last.x)
         if isinstance(why, InputError):
             return f"limit of what is allowed at {where}: {why}"

@@ -1,21 +1,23 @@
 """Many starts or runners in blocks on any executor, with a bar that counts them."""
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import Executor
+from contextlib import contextmanager
 from typing import TypeVar
 
 from ..blocks import run_blocks
-from ..terminal.progress import progress_bar
+from ..terminal.progress import Bar, progress_bar
 
 Block = TypeVar("Block")
 Result = TypeVar("Result")
 
 
 def sizes_of(total: int, largest: int) -> list[int]:
-    """Sizes of the blocks into which so many are split."""
+    """Sizes of the blocks into which a total is split."""
     return [min(largest, total - first) for first in range(0, total, largest)]
 
 
+@contextmanager
 def in_blocks(
     work: Callable[[Block], Result],
     blocks: Sequence[Block],
@@ -26,8 +28,8 @@ def in_blocks(
     progress: bool = False,
     *,
     done: int = 0,
-) -> Iterator[tuple[int, Result]]:
-    """Number and result of each block, in the order in which they are done.
+) -> Iterator[Iterator[tuple[int, Result]]]:
+    """Context that yields the number and the result of each block, in the order in which they are done.
 
     `sizes` say how many of the units that the bar counts each block holds, and `done` how many were done
     before. See `run_blocks` for the executor.
@@ -37,6 +39,12 @@ def in_blocks(
         run_blocks(work, blocks, executor) as results,
     ):
         bar.update(done)
-        for number, result in results:
-            yield number, result
-            bar.update(sizes[number])
+        yield _counted(results, sizes, bar)
+
+
+def _counted(
+    results: Iterable[tuple[int, Result]], sizes: Sequence[int], bar: Bar
+) -> Iterator[tuple[int, Result]]:
+    for number, result in results:
+        yield number, result
+        bar.update(sizes[number])

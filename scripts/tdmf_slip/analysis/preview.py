@@ -17,7 +17,7 @@ LARGEST_SQUARE = 16
 """Starts along a side of the first squares, a power of two: an island as wide as this is never missed."""
 
 Follow = Callable[[NDArray[np.intp], NDArray[np.intp]], NDArray[np.int32]]
-"""Rows and columns to fates of the starts there and strides until these were known, shape (2, starts)."""
+"""Function of rows and columns: fates of the starts there and strides until known, shape (2, starts)."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,7 +59,7 @@ def _squares_at(starts: NDArray[np.intp], edges: NDArray[np.intp]) -> NDArray[np
 def _follow_corners(
     found: Preview, edges: Sequence[NDArray[np.intp]], is_open: NDArray[np.bool_], follow: Follow
 ) -> None:
-    """Corners of open squares that have not been followed yet."""
+    """Follow corners of open squares that have not been followed yet."""
     is_wanted = np.zeros((len(edges[0]), len(edges[1])), dtype=bool)
     for row in (slice(None, -1), slice(1, None)):
         for column in (slice(None, -1), slice(1, None)):
@@ -74,7 +74,7 @@ def _follow_corners(
 
 
 def _paint(found: Preview, edges: Sequence[NDArray[np.intp]], is_open: NDArray[np.bool_]) -> None:
-    """Starts inside of open squares, as the first corner is; mixed squares are painted anew later."""
+    """Paint the inside of open squares like their first corner; mixed squares are painted anew later."""
     squares = [_squares_at(np.arange(count), e) for count, e in zip(found.fate.shape, edges, strict=True)]
     is_inside = is_open[np.ix_(*squares)] & ~found.is_followed
     corners = np.ix_(*(e[s] for e, s in zip(edges, squares, strict=True)))

@@ -1,15 +1,15 @@
-"""How long a runner stays up on rough ground that it hardly ever falls on: by multilevel splitting.
+"""Mean number of strides until a rare fall on rough ground, by multilevel splitting.
 
 Walkers are runners at their apices. The score that they are split by is learned where falls are common: on
 rougher ground, how likely a runner at an apex is to fall within the next strides. The estimate does not
 depend on it, only its interval does.
 
-Multilevel splitting estimates the mean time to an event so rare that waiting for it teaches nothing.
-Walkers make a stride at a time, each with a weight. Between levels of a score that rises towards the event as
-many walkers are kept at each level, by splitting those that are few and merging those that are many, without
-changing the sum of weights. One that meets the event begins anew, and the weight that does so in a stride is,
-in the long run, one over the mean time from the start to the event (Hill's relation). That holds whatever the
-score; a poor one only makes the interval wide. See G. A. Huber and S. Kim, Biophys. J. 70, 97 (1996); D.
+Multilevel splitting estimates the mean time to an event that is too rare to be simulated directly.
+Walkers make a stride at a time, each with a weight. A score rises towards the event. Equally many walkers are
+kept at each of its levels, by splitting and merging walkers without changing the sum of weights. A walker
+that meets the event begins anew. The weight that does so in a stride is, in the long run, one over the mean
+time from the start to the event (Hill's relation). This holds for any score; a poor one only makes the
+interval wide. See G. A. Huber and S. Kim, Biophys. J. 70, 97 (1996); D.
 Bhatt, B. W. Zhang and D. M. Zuckerman, J. Chem. Phys. 133, 014110 (2010).
 
 A walker is a row of a structured array: the state that `Batch.save` gives and, on ground with correlated
@@ -54,7 +54,7 @@ AHEAD = 6
 """Strides within which a fall counts when the score is learned."""
 PILOT_WALKERS, PILOT_STRIDES = 512, 60
 COMMON = (12.0, 60.0)
-"""Mean strides until the fall, about, on the ground where the score is learned."""
+"""Range of the mean strides until the fall on the ground where the score is learned."""
 ROUGHER = 1.25
 TRIES = 12
 SHARE_OF_STRIDES = 40
@@ -173,7 +173,7 @@ class Walkers:
         return np.repeat(self._start, count)
 
     def advance(self, rows: NDArray[Any], seed: int, time: int) -> tuple[NDArray[Any], NDArray[np.bool_]]:
-        """A stride of each, on a step of its own."""
+        """Walkers after a stride of each on a step of its own, and the mask of those that fell."""
         after, settings = self._stepped(rows, seed, time)
         own = 0.0 if settings else self.roughness
         ground = replace(self.ground, roughness=own, seed=seed, step_weights=())
@@ -244,7 +244,7 @@ class Walkers:
         return np.concatenate(scores[SHARE_OF_STRIDES // 2 :]), highest
 
     def _pilot(self, seed: int) -> tuple[NDArray[np.float64], NDArray[np.bool_], float]:
-        """Apices, after which of them a runner fell within some strides, and the mean time to a fall."""
+        """Features of apices, the mask of those with a fall soon after, and the mean time to a fall."""
         rows, seen, fallen = self.begin(PILOT_WALKERS), [], []
         for time in range(PILOT_STRIDES):
             rows, fell = self.advance(rows, seed, time)
@@ -370,7 +370,7 @@ def rare_falls(
 
 
 def _check_is_rough(ground: RoughGround) -> None:
-    """Refuse ground without steps, a terrain, and friction that hangs together."""
+    """Refuse ground without steps, a terrain, and correlated friction."""
     if ground.roughness < SMOOTHEST:
         raise InputError(f"roughness = {ground.roughness:g} is not allowed; allowed: {SMOOTHEST:g} m or more")
     if ground.segment_length:
@@ -381,7 +381,7 @@ def _check_is_rough(ground: RoughGround) -> None:
         )
     if ground.friction_weights:
         raise InputError(
-            "friction_weights: friction that hangs together has a past, which rare_falls would have to copy "
-            "with each walker and copies of steps alone; allowed: a friction of its own for each stride "
+            "friction_weights: correlated friction has a past, which rare_falls does not copy with its "
+            "walkers, as it does for steps; allowed: a friction of its own for each stride "
             "(friction_spread), or strides_to_fall"
         )

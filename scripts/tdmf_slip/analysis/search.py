@@ -47,7 +47,7 @@ ROUNDS = (0, 0, 1, 2, 4, 8, 16, 32, 64, 128)
 KEPT = 2_048
 """Runners that go on after each look: those whose strides come back nearest."""
 PROMISING, MAX_TRIED = 12, 48
-"""Points from which Newton's method begins: after each look, and in the end of all looks together."""
+"""Largest number of points from which Newton's method begins: after each look, and in all."""
 ITERATIONS, SHORTENINGS, GAIN = 20, 6, 0.9
 """Steps of each, lengths at which a step is tried, and the share of the residual that it may leave."""
 APART = 1e-2
@@ -143,7 +143,7 @@ class _Runs:
         self.given_up = 0
 
     def looks(self) -> Iterator[tuple[NDArray[np.float64], NDArray[np.float64]]]:
-        """Points, and how near to them a stride from there comes back, over the scales: again and again."""
+        """Ends of strides and their distances from the starts, over the scales, after each round."""
         for strides in ROUNDS:
             if strides:
                 self.apexes = self._after(strides)[1]
@@ -155,7 +155,7 @@ class _Runs:
             self.apexes = ends[np.argsort(returns)[:KEPT]]
 
     def _after(self, strides: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Apexes from which all strides close, and the last apexes; no more strides than may be made."""
+        """Apexes from which all strides close, and their last apexes, within the strides that are left."""
         apexes = self.apexes[: (self.max_strides - self.done[0]) // strides]
         begins, ends = [apexes[:0]], [apexes[:0]]
         for first in range(0, len(apexes), BLOCK):

@@ -31,9 +31,9 @@ FROM_ZERO = 0.4
 TOLERANCE = 1e-6
 """Relative tolerance of a step: where runners settle need not be known any better."""
 AT_ONCE = 8
-"""Strides between two looks at who still runs."""
-BEGINNINGS, LOOKS = 3, 6
-"""Beginnings of a runner that falls, and further looks after the last of them."""
+"""Strides between two looks at which runners still run."""
+STARTS, LOOKS = 3, 6
+"""Starts of a runner that falls, and further looks after the last start."""
 SETTLED = 1e-3
 """Distance, over the scales, to which a stride returns next to a gait."""
 TAKEN_IN = 0.5
@@ -133,7 +133,7 @@ class _Runs:
         from scipy.spatial import KDTree  # slow to load
 
         self.go_on(self.able)
-        for _ in range(BEGINNINGS - 1):
+        for _ in range(STARTS - 1):
             fallen = self.able & ~self.running
             if not (fallen.any() and self.running.any()):
                 return
@@ -146,7 +146,7 @@ class _Runs:
                 self.go_on(near)
 
     def go_on(self, which: NDArray[np.bool_]) -> None:
-        """Strides of some of the runners; those that fall run no longer."""
+        """Make strides of some of the runners; runners that fall stop running."""
         if not which.any():
             return
         values = {name: row[which] for name, row in self.varied.items()}

@@ -33,9 +33,9 @@ LOCATED = 1e-11
 ON_CIRCLE = 1e-6
 """Distance of eigenvalues from where a bifurcation has them."""
 CORNER = 1e-9
-"""Points on both sides of a border that are farther apart are at a corner that the chord does not show."""
+"""Largest distance of the points on both sides of a border; points farther apart are at an acute corner."""
 ACUTE = 100.0
-"""Distance of such points from the corner, over their distance from each other."""
+"""Longest way from such a point towards the corner, over the distance between both points."""
 MAX_LOOKS = 100
 MAX_BORDERS = 100
 
@@ -52,7 +52,7 @@ class Special(NamedTuple):
     between: tuple[float, float]
     """Values of the parameter at two gaits around it, in their order along the branch."""
     why: str = ""
-    """Why the point is unclassified, or why the gaits of a period doubling are not followed."""
+    """Reason why the point is unclassified, or why gaits of a period doubling are not followed."""
     words: tuple[str, str] = ("", "")
     """Gait words before and after the point, if they differ; else empty."""
     short: Gait | None = None
@@ -65,7 +65,7 @@ def special_points(problem: BranchProblem, before: Point, after: Point) -> list[
 
 
 def _specials(problem: BranchProblem, before: Point, after: Point) -> Iterator[Special]:
-    """Special points of segments that hold one each, or are too short to be divided further."""
+    """Special points of a segment, which is halved until it holds one or is too short."""
     length = float(np.linalg.norm(after.x - before.x))
     try:
         if before.gait.word != after.gait.word:
@@ -92,7 +92,7 @@ def _specials(problem: BranchProblem, before: Point, after: Point) -> Iterator[S
 
 
 def _across_borders(problem: BranchProblem, before: Point, after: Point) -> Iterator[Special]:
-    """Borders, what happens on them, and what happens between them."""
+    """Word borders, and the special points on them and between them."""
     begin = before
     for short, beyond in list(crossings(problem, before, after)):
         yield from _specials(problem, begin, short)
@@ -104,7 +104,7 @@ def _across_borders(problem: BranchProblem, before: Point, after: Point) -> Iter
 def _at_border(
     problem: BranchProblem, short: Point, beyond: Point, around: tuple[float, float]
 ) -> Iterator[Special]:
-    """The border, and by the maps of both sides whether the branch turns there or the period doubles."""
+    """A word border, and by the maps of both sides a fold or period doubling on it."""
     value, words = border_between(problem, short, beyond), (short.gait.word, beyond.gait.word)
     yield Special(WORD_BORDER, value, beyond.gait, around, words=words, short=short.gait)
     changes = _changes(short, beyond)
@@ -153,7 +153,7 @@ _STABILITY_CHANGES: Mapping[tuple[str, ...], tuple[int, ...]] = {
     (PERIOD_DOUBLING,): (1,),
     (NEIMARK_SACKER,): (0, 2),
 }
-"""Changes of the number of eigenvalues outside the unit circle, where one thing happens."""
+"""Possible changes of the number of eigenvalues outside the unit circle at one special point."""
 
 
 def _unstable_in_pairs(point: Point) -> int:
@@ -163,7 +163,7 @@ def _unstable_in_pairs(point: Point) -> int:
 
 
 def _test(kind: str, point: Point) -> float:
-    """Function of a point that changes its sign where something may happen."""
+    """Test function that changes its sign at a bifurcation of a kind, or at a neutral saddle."""
     return float(point.tangent[-1]) if kind == FOLD else _determinant(kind, point)
 
 
@@ -172,9 +172,9 @@ def _changes(before: Point, after: Point) -> tuple[str, ...]:
 
 
 def _is_simple(before: Point, after: Point) -> bool:
-    """Whether the one thing that happens explains how many eigenvalues get across the unit circle.
+    """True if at most one bifurcation explains how many eigenvalues get across the unit circle.
 
-    Two real ones that leave it make the same sign change as a complex pair.
+    Two real eigenvalues that leave the circle change the same sign as a complex pair.
     """
     changes = _changes(before, after)
     more = after.gait.unstable - before.gait.unstable
@@ -185,7 +185,7 @@ def _is_simple(before: Point, after: Point) -> bool:
 
 
 def _account(before: Point, after: Point) -> str:
-    """Text of the differences of two gaits between which several things happen at once."""
+    """Text of the differences of two gaits that have several special points between them."""
     changes = _changes(before, after)
     words = f"{before.gait.word} becomes {after.gait.word}" if before.gait.word != after.gait.word else ""
     turns = "the branch turns" if FOLD in changes else ""
@@ -195,18 +195,18 @@ def _account(before: Point, after: Point) -> str:
 
 
 def _bifurcations(problem: BranchProblem, before: Point, after: Point) -> Iterator[Special]:
-    """Bifurcations at sign changes of test functions; a neutral saddle is none."""
+    """Bifurcations at sign changes of test functions, without neutral saddles."""
     for kind in _changes(before, after):
         point = _zero(problem, before, after, kind)
-        if is_there(kind, point.gait.eigenvalues):
+        if is_bifurcation(kind, point.gait.eigenvalues):
             around = problem.value(before), problem.value(after)
             yield Special(kind, problem.value(point), point.gait, around)
         elif before.gait.unstable != after.gait.unstable:
             raise RunError(f"no eigenvalues of a {kind}: {_account(before, after)}")
 
 
-def is_there(kind: str, eigenvalues: NDArray[Any]) -> bool:
-    """Whether eigenvalues are where a bifurcation has them."""
+def is_bifurcation(kind: str, eigenvalues: NDArray[Any]) -> bool:
+    """True if eigenvalues are where a bifurcation has them."""
     if kind == NEIMARK_SACKER:
         return bool(np.any((np.abs(np.abs(eigenvalues) - 1.0) < ON_CIRCLE) & (eigenvalues.imag != 0.0)))
     return bool(np.min(np.abs(eigenvalues - (1.0 if kind == FOLD else -1.0))) < ON_CIRCLE)
@@ -254,28 +254,32 @@ def crossings(problem: BranchProblem, first: Point, last: Point) -> Iterator[tup
 
 
 def _border(problem: BranchProblem, inside: Point, last: Point) -> tuple[Point, Point]:
-    """The points just short of where the word of `inside` ends on the way to `last`, and just beyond."""
+    """The points just before and just beyond the end of a word on the way from `inside` to `last`."""
     normal, word = last.x - inside.x, inside.gait.word
-    low, high = problem.border(inside.x, last.x, word, inside.rows)
+    where = f"border of {word} not located near {problem.where(inside.x)}"
+    try:
+        low, high = problem.border(inside.x, last.x, word, inside.rows)
+    except (InputError, RunError) as why:
+        raise RunError(f"{where}: {why}") from None
     short = inside if low is inside.x else problem.point(low, normal)
     beyond = last if high is last.x else problem.point(high, normal)
     if not short.gait.word == word != beyond.gait.word:
-        raise RunError(f"border of {word} not located near {problem.where(inside.x)}")
+        raise RunError(where)
     return short, beyond
 
 
 def _approached(problem: BranchProblem, point: Point, reach: float, way: float) -> Point:
-    """The last point of the same word from one on, along its tangent, no farther than a reach."""
+    """The farthest point along the tangent of a point that has its word, within a reach."""
     direction, word = way * point.tangent, point.gait.word
     low, high, last = 0.0, reach, point
     while high - low > BORDER_ACCURACY:
         middle = 0.5 * (low + high)
         try:
             tried = problem.correct(point.x + middle * direction, direction, last)
-            is_there = tried.gait.word == word and np.linalg.norm(tried.x - point.x) <= 2.0 * middle
+            is_within = tried.gait.word == word and np.linalg.norm(tried.x - point.x) <= 2.0 * middle
         except (InputError, RunError):
-            is_there = False
-        if is_there:
+            is_within = False
+        if is_within:
             low, last = middle, replace(tried, tangent=point.tangent)
         else:
             high = middle

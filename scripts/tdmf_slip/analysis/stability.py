@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 
 def stability(runner: RunnerLike, vary: Mapping[str, Values], *, progress: bool = False) -> xarray.Dataset:
-    """The gait at each point of a grid, from the point that is nearest to the runner on to its neighbours.
+    """Find the gait at each point of a grid, from the point nearest to the runner on to its neighbours.
 
     A point has no gait where Newton's method finds none from any of its neighbours. Where there are several
     gaits, it is the one that the neighbours lead to. The dataset is that of the gaits of `sweep`.
@@ -34,9 +34,9 @@ def stability(runner: RunnerLike, vary: Mapping[str, Values], *, progress: bool 
 
     def at(cell: tuple[int, ...]) -> Runner:
         values = zip(axes.values(), cell, strict=True)
-        return runner.replace({name: float(of[k]) for name, (of, k) in zip(axes, values, strict=True)})
+        return runner.replace({name: float(row[k]) for name, (row, k) in zip(axes, values, strict=True)})
 
-    first = tuple(int(np.argmin(np.abs(of - runner[name]))) for name, of in axes.items())
+    first = tuple(int(np.argmin(np.abs(row - runner[name]))) for name, row in axes.items())
     found, seen, edge = {first: periodic_gait(at(first))}, {first}, deque([first])
     steps = [tuple(int(k) for k in way * row) for row in np.eye(len(shape), dtype=int) for way in (1, -1)]
     with progress_bar("stability", int(np.prod(shape)), "points", progress) as bar:

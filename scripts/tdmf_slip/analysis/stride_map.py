@@ -32,9 +32,9 @@ MAX_STRIDES = 1_000_000
 MAX_IN_ALL = 10_000_000
 """Strides of all runners: each is kept, in 700 bytes."""
 STRIDES_IN_A_BLOCK = 100_000
-"""Largest number, unless runners are few: the library hears of no interrupt until it returns."""
+"""Largest number of strides in a block with many runners: the library sees an interrupt between blocks."""
 MIN_IN_A_BLOCK, MAX_IN_A_BLOCK = 64, 4096
-"""Runners; fewer would leave lanes empty."""
+"""Least and largest number of runners in a block; fewer would leave lanes empty."""
 
 
 def stride_map(
@@ -219,7 +219,8 @@ def _in_blocks(
     sizes = sizes_of(len(batch), largest) or [0]
     blocks = [batch.part(number * largest, size) for number, size in enumerate(sizes)]
     work = partial(_strides_of, strides)
-    parts = in_order(in_blocks(work, blocks, sizes, "strides", "runners", executor, progress))
+    with in_blocks(work, blocks, sizes, "strides", "runners", executor, progress) as results:
+        parts = in_order(results)
     return {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
 
 

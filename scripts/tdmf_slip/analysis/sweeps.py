@@ -18,13 +18,13 @@ from ..checks import check_size, refusal
 from ..errors import InputError, RunError, TdmfSlipError
 from ..files.resume import Resumed
 from ..files.whole import check_destination
-from ..library.gait import Gait, gaits_dataset
+from ..library.gait import Gait, first_runner_in, gaits_dataset
 from ..library.members import check_has_gaits, check_varied
 from ..library.runner import Runner
 from ..library.shared_steps import shares_steps
 from ..library.strides import BETWEEN_WORDS, strides_from
 from ..numerics.following import Point
-from ..record import dataset, runner_in
+from ..record import dataset
 from ..terminal.progress import progress_bar
 from ..variables.parameters import RunnerLike
 from ..variables.table import FRICTION, Model, by_full_name, model_named
@@ -140,8 +140,9 @@ def sweep(
     else:
         work, done = partial(columns_of_row, along, values), len(rows) - len(missing)
         one = [1] * len(blocks)
-        for number, columns in in_blocks(work, blocks, one, "sweep", "rows", executor, progress, done=done):
-            made.write(places[missing[number]], columns)
+        with in_blocks(work, blocks, one, "sweep", "rows", executor, progress, done=done) as results:
+            for number, columns in results:
+                made.write(places[missing[number]], columns)
     found = Sweep(made.data.drop_vars("borders"), _borders_dataset(runner, made.data, along))
     made.finish(found.gaits, {"borders": found.borders})
     words = found.gaits["word"]
@@ -210,7 +211,7 @@ def gaits_in(gaits: xarray.Dataset) -> list[Gait]:
     varied = [str(name) for name in gaits.coords if name in model.variables]
     columns = {name: gaits[name].broadcast_like(words).transpose(*over).values.ravel() for name in varied}
     apices = np.array([gaits[f"apex_{name}"].values.ravel() for name in model.coordinates]).T
-    runner = Runner(runner_in(gaits), model=model)
+    runner = first_runner_in(gaits)
     return [
         strides_from(
             runner.replace({name: float(column[number]) for name, column in columns.items()}),
@@ -230,7 +231,7 @@ def checked_axes(vary: object, model: Model) -> dict[str, NDArray[np.float64]]:
     for name in given:
         if len(given) == 1 or name not in model.states:
             check_varied(name, "vary", model)
-    axes = {name: model.variables[name].values_of(of, f"vary {name}") for name, of in given.items()}
+    axes = {name: model.variables[name].values_of(row, f"vary {name}") for name, row in given.items()}
     shape = [len(values) for values in axes.values()]
     check_size("vary", max(shape), "gaits in a row", MAX_GAITS_OF_ROW)
     check_size(f"vary: {' by '.join(map(str, shape))}", math.prod(shape), "gaits", MAX_GAITS)
@@ -311,7 +312,7 @@ def _row(
         for pair in pairwise(branch):
             try:
                 borders += [*_borders(problem, *pair)]
-            except RunError as met:
+            except TdmfSlipError as met:
                 problems.append(str(met))
     if not any(gaits):
         raise RunError("; ".join([*problems[:1], *["nor is there any further on"] * (len(values) > 1)]))
@@ -327,13 +328,13 @@ def _row(
 def _followed(
     problem: BranchProblem, point: Point, values: Values, step_finished: Callable[[int], object]
 ) -> tuple[list[Point], str]:
-    """Points at values in turn, as far as the branch leads, and why it leads no farther."""
+    """Points at values in turn, as far as the branch leads, and the reason why it leads no farther."""
     found: list[Point] = []
     try:
         for following in points_over(problem, point, values):
             found.append(following)
             step_finished(1)
-    except RunError as why:
+    except TdmfSlipError as why:
         return found, str(why)
     return found, ""
 
@@ -346,7 +347,7 @@ def _borders(problem: BranchProblem, first: Point, last: Point) -> Iterator[tupl
 
 
 def check_values(runner: Runner, name: str, values: Values) -> None:
-    """Refuse, before any work, too many values and those at which there is no gait to follow."""
+    """Refuse too many values, and values at which there can be no gait, before any work."""
     check_size(f"vary {name}", len(values), "gaits", MAX_GAITS_OF_ROW)
     for value in values:
         check_has_gaits(runner.replace({name: value}))

@@ -32,7 +32,7 @@ NEWTON_ITERATIONS, SHORTENINGS = 40, 6
 LONGEST_STEP = 1.0
 """Longest Newton step over the scales of apex and parameters: far beyond them a stride may take an age."""
 CLOSE_ITERATIONS, CLOSE_SHORTENINGS = 10, 3
-"""Newton iterations and shortenings for a point that is near the gait, or else of no use."""
+"""Newton iterations and shortenings for a point that is of use only near the gait."""
 STEPS = 40
 """Steps on the way from the first gait's quantities to those prescribed, with the refused ones."""
 LEAST_ITERATIONS, LEAST_STEP = 30, 1e-7
@@ -51,10 +51,10 @@ LITTLE = 1e-3
 HELPING = 0.95
 """A parameter helps if, varied too, it leaves at most this share of the gap."""
 MAX_TRIED, TRIED_STEPS = 5, 10
-"""Parameters whose derivatives promise most are tried, each by so many steps towards the target."""
+"""Number of parameters that are tried, and of steps towards the target with each."""
 SETTINGS = "hip."
 """Parameters that a runner changes at will; they are tried instead of a varied one, too."""
-NOT_THE_RUNNERS = ("gravity",)
+UNCHANGEABLE = ("gravity",)
 """Parameters that nobody can change, which are not suggested as a help."""
 
 
@@ -66,13 +66,13 @@ class Iterate(NamedTuple):
     closing: Vector
     """Residual of the stride, over the scales."""
     off: Vector
-    """How far the quantities are from those prescribed, over these."""
+    """Deviations of the quantities from those prescribed, over these."""
     rows: Matrix
     """Derivatives of `closing` and `off` by the point."""
 
     @property
     def gap(self) -> float:
-        """How far the point is from the target: the root of the sum of squared deviations."""
+        """Distance of the point from the target: the root of the sum of squared deviations."""
         return float(np.linalg.norm(self.off))
 
 
@@ -98,8 +98,8 @@ def _solved(
 def solved_from(target: GaitProblem, iterate: Iterate, steps: int = STEPS) -> tuple[Iterate, float]:
     """The point that meets a target, or the last one on the way to it, and the share of the way.
 
-    Newton's method alone, from the point given; where it fails, through targets between what the gait has and
-    what is prescribed, a share at a time.
+    Newton's method begins at the point given. Where it fails, it is led through targets between the
+    quantities of the gait and those prescribed, a share at a time.
     """
     with contextlib.suppress(RunError):
         return iterate_at(target, _solved(target, iterate.x, NEWTON_ITERATIONS, SHORTENINGS)), 1.0
@@ -108,7 +108,7 @@ def solved_from(target: GaitProblem, iterate: Iterate, steps: int = STEPS) -> tu
     def advance(x: Vector, _at: float, to: float) -> Vector:
         if next(attempts, None) is None:
             raise RunError("too many steps on the way to the target")
-        return _solved(target.aiming(target.goal + (1.0 - to) * way), x)
+        return _solved(target.with_goal(target.goal + (1.0 - to) * way), x)
 
     reached = [(0.0, iterate.x)]
     with contextlib.suppress(RunError):
@@ -120,8 +120,8 @@ def solved_from(target: GaitProblem, iterate: Iterate, steps: int = STEPS) -> tu
 def least_changed(target: GaitProblem, iterate: Iterate, begin: Iterate) -> Iterate:
     """The gait that meets the target with the least change of the varied parameters, over their values.
 
-    By the method of Gauss and Newton along the gaits that meet the target. Where the change no longer gets
-    smaller by much, or no nearer gait meets the target, the search ends.
+    Steps of the Gauss-Newton method lead along the gaits that meet the target. The search ends where the
+    change no longer gets smaller by much, or no nearer gait meets the target.
     """
     count = target.count
 
@@ -167,7 +167,7 @@ def initial_iterates(target: GaitProblem, first: Gait) -> Iterator[Iterate]:
 
 
 def _gap(quantities: NDArray[np.float64], prescribed: NDArray[np.float64]) -> float:
-    """How far a gait is from a target, by factors: half is as far as twice; where signs differ, over it."""
+    """Distance of a gait from a target by logarithms of ratios, or by deviations where signs differ."""
     size = np.abs(prescribed)
     size[size == 0.0] = 1.0
     factors = np.maximum(quantities / size, NONE) / np.maximum(prescribed / size, NONE)
@@ -191,7 +191,7 @@ def nearest_from(
 
 def _descended(target: GaitProblem, iterate: Iterate, longest: float, iterations: int) -> Iterate:
     """Iterate at which the gap gets no smaller, by the method of Levenberg and Marquardt along the gaits."""
-    damping, free = 1e-3, target.aiming(None)
+    damping, free = 1e-3, target.with_goal(None)
     for _ in range(iterations):
         step = _step_along(iterate, slice(None), damping, longest)
         try:
@@ -232,7 +232,7 @@ class Help:
     left: float
     """Gap that is left; 0 where the target is met."""
     changed: float
-    """How far the gait that meets the target is from the first, over the scales."""
+    """Distance of the gait that meets the target from the first, over the scales."""
 
     def __str__(self) -> str:
         """Advice and its effect, in parentheses."""
@@ -291,7 +291,7 @@ def _varying(target: GaitProblem, names: Sequence[str]) -> GaitProblem:
 def _promising(target: GaitProblem, gaits: Sequence[Gait]) -> list[str]:
     """Further parameters; first those that, by the derivatives, would leave the smallest gap."""
     values = gaits[0].runner
-    left_out = (*target.names, *NOT_THE_RUNNERS)
+    left_out = (*target.names, *UNCHANGEABLE)
     names = [name for name in values.model.varied if name not in left_out and values[name] != 0.0]
     widest = _varying(target, [*target.names, *names])
     left = dict.fromkeys(names, np.inf)

@@ -42,23 +42,23 @@ from .target import (
 )
 
 TRAVEL = ("speed", "frequency", "length")
-"""Any two of them set the third."""
+"""Quantities of which any two determine the third."""
 MINIMUM, MAXIMUM = 1e-9, 1e9
 """Least and largest prescribed value, in SI units."""
 MET = 1e-10
 """Largest deviation of a gait that meets a target, over the prescribed values."""
 LAST_STEPS = 10
 """Steps from the nearest gait towards the target, and from each of the others."""
-MAX_BEGINNINGS = 8
+MAX_STARTS = 8
 """Other gaits that a search begins from."""
 DESCENTS = 2
-"""Number of the nearest ones that lead on to the gait nearest of all."""
+"""Number of the nearest gaits from which the gait nearest to the target is searched for."""
 NO_ACTION = 1e-11
 """Changes over the scales that are no more than rounding."""
 
 
 class TargetNotMetError(RunError):
-    """No gait was found that has what is prescribed."""
+    """No gait was found that has the prescribed quantities."""
 
     def __init__(self, message: str, nearest: Gait, helps: tuple[str, ...]) -> None:
         """Keep the gait nearest to the target, and the parameters that would bring it nearer."""
@@ -192,7 +192,7 @@ def _met_from_elsewhere(
     Returns the point that was reached, the share of the way to the target, and the nearest point of all.
     """
     seen = [*known]
-    for other in islice(others, MAX_BEGINNINGS):
+    for other in islice(others, MAX_STARTS):
         iterate, share = solved_from(target, other, LAST_STEPS)
         seen += [other, iterate]
         if share == 1.0:
@@ -220,7 +220,7 @@ def checked_target(target: object, model: Model, from_zero: Sequence[str] = ()) 
     for name in given:
         checked_quantity(name, "target", model)
     if all(name in given for name in TRAVEL):
-        raise InputError("target: speed, frequency and length; allowed: two of them, for they set the third")
+        raise InputError("target: speed, frequency and length; allowed: two of them, the third follows")
     signed = allowed_quantities(model) if model.is_own else SIGNED
     maximum, minimum = {"duty_factor": 1.0}, dict.fromkeys(signed, -MAXIMUM) | dict.fromkeys(from_zero, 0.0)
     numbers = {name: quantity_given(name, value, "target", model) for name, value in given.items()}

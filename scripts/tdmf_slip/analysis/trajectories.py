@@ -233,10 +233,10 @@ def _run(
 def _start_by(runner: Runner, section: NDArray[np.float64], name: str) -> list[float]:
     """Derivative of the state at an apex, which has the foot at x = 0, by a coordinate or a parameter.
 
-    By a complex step, which is exact to rounding.
+    A complex step gives the derivative, exact to rounding.
     """
     values: dict[str, complex] = dict(zip(COORDINATES, section.tolist(), strict=True))
-    values |= {of: runner[of] for of in ("body.mass", "foot.mass", "ground.height", "ground.slope")}
+    values |= {other: runner[other] for other in ("body.mass", "foot.mass", "ground.height", "ground.slope")}
     if name not in values:
         return [0.0] * len(STATES)
     values[name] += 1j * COMPLEX_STEP
@@ -254,4 +254,4 @@ def _start_by(runner: Runner, section: NDArray[np.float64], name: str) -> list[f
         "leg.length_rate": length_rate,
         "leg.angle_rate": angle_rate,
     }
-    return [complex(state.get(of, 0.0)).imag / COMPLEX_STEP for of in STATES]
+    return [complex(state.get(name, 0.0)).imag / COMPLEX_STEP for name in STATES]

@@ -12,8 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..checks import check_kind, near_matches
-from ..record import dataset, entries, origin_of
-from ..variables.table import FRICTION, MODELS, VARIABLES
+from ..record import dataset, entries, origin_of, runner_in
+from ..variables.table import FRICTION, MODELS, VARIABLES, model_named
 from .events import Event, Letter, letters_of
 from .members import Along
 from .quantities import LEDGER as LEDGER
@@ -305,3 +305,17 @@ def gaits_dataset(
     }
     labels |= {name: value(name) for name in varied}
     return dataset(kind, runner.record(*coordinates, *varied), variables, labels, **attributes)
+
+
+def first_runner_in(data: "xarray.Dataset") -> Runner:
+    """The runner of a dataset with the first value of each name that varies in it.
+
+    Without these names the recorded values may be refused, or seem to mix units.
+    """
+    model = model_named(data.attrs["model"])
+    first = {
+        str(name): float(data[name].values.flat[0])
+        for name in data.coords
+        if name in model.variables and data[name].size
+    }
+    return Runner({**first, **runner_in(data)}, model=model)

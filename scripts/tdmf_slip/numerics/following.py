@@ -1,9 +1,9 @@
-"""Follow a curve of solutions by predictor and corrector, whatever the curve consists of.
+"""Follow a curve of solutions of any equations by predictor and corrector.
 
 A curve is given by a `Problem` with one equation less than it has unknowns. Unknowns are over their scales,
 and the last ones are parameters, which have ranges. `follow` predicts along the tangent and corrects on the
 plane across it. A step counts only if it can be walked back: the corrector that starts from the new point's
-tangent has to find the old point. Else the step may have led to another curve that comes near.
+tangent has to find the old point. Otherwise the step may have led to another curve that comes near.
 """
 
 from __future__ import annotations
@@ -29,9 +29,9 @@ FARTHEST, NEAR = 0.5, 10.0
 RETURNED = 1e-3
 """Share of a step: Newton's method that comes as near to a known point would find it."""
 ON_EDGE = 1e-9
-"""Share of a range: a point so near to an end of it is on the edge."""
+"""Share of a range: a point this near to an end of the range is on the edge."""
 BESIDE = 0.5
-"""Share of a step: points farther from the straight way are not passed."""
+"""Share of a step: the step does not pass points farther from its straight way."""
 BEYOND = (1e-6, 3e-6, 1e-5, 3e-5, 1e-4, 3e-4, 1e-3, 3e-3, 1e-2)
 """Distances beyond a corner at which the map of the other side is evaluated."""
 MAX_BACK = 100
@@ -41,7 +41,7 @@ ITERATIONS, SHORTENINGS = 24, 12
 MAX_STEPS = 500
 """Largest number of steps of a walk; most walks take fewer than a hundred."""
 CLOSED = "closed: back where it has been"
-"""Why a curve ended that met itself."""
+"""Reason why a curve ended that met itself."""
 
 Found = TypeVar("Found")
 Known = TypeVar("Known")
@@ -62,7 +62,7 @@ class Point:
 
     @property
     def rises(self) -> bool:
-        """Whether the last unknown grows along the curve."""
+        """True if the last unknown grows along the curve."""
         return bool(self.tangent[-1] > 0.0)
 
     def reversed(self) -> Point:
@@ -85,7 +85,7 @@ class Limits:
     max_step: float = 0.2
     """Longest step, over the scales."""
     max_points: int = 1000
-    """Number of points after which the curve is left, in one direction."""
+    """Largest number of points in one direction."""
     begin: float | None = None
     """Value of the only parameter that is reported as the beginning of its range."""
     parts: float = 50.0
@@ -113,7 +113,7 @@ class Limits:
         return float(steps[number]), number, float(edges[number])
 
     def include(self, problem: Problem, point: Point) -> bool:
-        """Whether a point is in the ranges."""
+        """True if a point is in the ranges."""
         values, more = problem.values(point.x), ON_EDGE * (self.high - self.low)
         return bool(np.all((self.low - more <= values) & (values <= self.high + more)))
 
@@ -126,7 +126,7 @@ class Problem:
     names: tuple[str, ...]
     """Names of the parameters, the last unknowns."""
     same = 1e-8
-    """Points as near, over the scales, are one."""
+    """Distance, over the scales, within which points count as one."""
 
     def residual(self, x: Vector) -> Vector:
         """Residual, shape (n - 1,)."""
@@ -149,19 +149,19 @@ class Problem:
         return [point.x]
 
     def ends_between(self, before: Point, after: Point) -> str:
-        """Why the curve ends between two points, or an empty text."""
+        """Reason why the curve ends between two points, or an empty text."""
         return ""
 
     def at_edge(self, value: float, limits: Limits) -> str:
-        """Why a curve ended at the edge of a range."""
+        """Reason why a curve ended at the edge of a range."""
         return "edge of the ranges"
 
     def where_met(self, point: Point, following: Point, number: int) -> str:
-        """Why a curve ended that came back to a point, by the number of the place in `visited`."""
+        """Reason why a curve ended that came back to a point, by the number of the place in `visited`."""
         return CLOSED
 
     def lost(self, last: Point, why: Exception) -> str:
-        """Why a curve cannot be followed from its last point on."""
+        """Reason why a curve cannot be followed from its last point on."""
         return f"lost: {why}"
 
     def values(self, x: Vector) -> Vector:
@@ -209,12 +209,12 @@ class Problem:
         return self.correct(before.x + share * way, way / np.linalg.norm(way), before)
 
     def leads_back(self, found: Point, known: Point) -> bool:
-        """Whether the corrector that starts from the tangent of one point finds the known one."""
+        """True if the corrector that starts from the tangent of one point finds the known one."""
         goal = found.x - ((found.x - known.x) @ found.tangent) * found.tangent
         return self.reaches(goal, found.tangent, known.x, found)
 
     def reaches(self, goal: Vector, across: Vector, known: Vector, found: Point) -> bool:
-        """Whether Newton's method from a goal comes near a known solution, over its distance from a point."""
+        """True if Newton's method from a goal comes near a known solution, over its distance from a point."""
         near = RETURNED * float(np.linalg.norm(found.x - known))
         plane = _OnPlane(self, goal, across, known, near)
         for shortenings, rows in ((SHORTENINGS, np.vstack([found.rows, across])), (0, None)):
@@ -356,7 +356,7 @@ class Track:
             self._places.append((point, number))
 
     def met(self, last: Point, following: Point) -> tuple[Point, str] | None:
-        """The point that the curve goes through in its next step, and that as a reason to end."""
+        """The visited point that the curve goes through in its next step, and the reason to end there."""
         way = following.x - last.x
         away = self._rows[: len(self._places)] - last.x
         shares = away @ way / (way @ way)
@@ -368,11 +368,11 @@ class Track:
         return None
 
     def is_new(self, points: Sequence[Point]) -> bool:
-        """Whether the curve has not been yet where it leads along some points."""
+        """True if the way along some points leads through none where the curve has been."""
         return all(self.met(*pair) is None for pair in pairwise(points))
 
     def _goes_through(self, x: Vector, share: float, last: Point, following: Point) -> bool:
-        """Whether the curve is at a place, and leads from there to both ends of a step.
+        """True if the curve goes through a place, and leads from there to both ends of a step.
 
         Near a sharp turn the corrector finds points of both sides from one prediction.
         """
@@ -386,7 +386,7 @@ class Track:
 
 
 def _past_corner(problem: Problem, last: Point, track: Track, limits: Limits) -> list[Point]:
-    """Points of the curve beyond a change of the label at which it turns; none if there are none."""
+    """Points of the curve beyond a corner at which its label changes; empty if none is found."""
     here = problem.label(last.gait)
     for distance in BEYOND if here is not None else ():
         try:
@@ -404,7 +404,7 @@ def _past_corner(problem: Problem, last: Point, track: Track, limits: Limits) ->
 
 
 def _on_other_side(problem: Problem, last: Point, step: Vector) -> list[Point]:
-    """A point with another label a step away, if its curve leads back; and those on the way there."""
+    """Points on the way to one with another label a step away; empty if its curve does not lead back."""
     length = np.linalg.norm(step)
     try:
         found = problem.correct(last.x + step, step / length)

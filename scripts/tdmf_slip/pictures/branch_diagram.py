@@ -16,10 +16,9 @@ from numpy.typing import NDArray
 from ..analysis.special_points import FOLD, NEIMARK_SACKER, PERIOD_DOUBLING, UNCLASSIFIED, WORD_BORDER
 from ..checks import is_one_of, near_matches, shown
 from ..errors import InputError
+from ..library.gait import first_runner_in
 from ..library.quantities import QUANTITIES
-from ..library.runner import Runner
 from ..library.section import COORDINATES
-from ..record import runner_in
 from ..variables.display_units import DisplayUnits
 from ..variables.table import MODELS, VARIABLES
 from . import style
@@ -70,7 +69,7 @@ def figure_of(data: xarray.Dataset, quantity: str = DRAWN, display: DisplayUnits
         quantity = str(data["coordinate"].values[0])
     values_of(data, quantity)
     name = data.over
-    display = display or DisplayUnits(values=Runner(runner_in(data), model=data.model))
+    display = display or DisplayUnits(values=first_runner_in(data))
     figure, panels = style.subplots(2, 1, figsize=(8.2, 7.0), sharex=True, height_ratios=(2, 1))
     kind = "apex" if quantity in COORDINATES else "stride"
     variable = VARIABLES.get(f"{kind}.{quantity}")
@@ -190,7 +189,7 @@ def of_curves(data: xarray.Dataset, display: DisplayUnits | None = None) -> Figu
         data.isel(point=data["curve_number"].values == number, curve=number)
         for number in range(data.sizes["curve"])
     ]
-    display = display or DisplayUnits(values=Runner(runner_in(data), model=data.model))
+    display = display or DisplayUnits(values=first_runner_in(data))
     figure, axes = style.subplots(figsize=(7.6, 5.4))
     pairs = zip((axes.xaxis, axes.yaxis), names, strict=True)
     labels = [style.mark_in_display_unit(axis, name, display) for axis, name in pairs]

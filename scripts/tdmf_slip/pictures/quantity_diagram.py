@@ -14,9 +14,9 @@ from ..analysis.attraction import CONFIDENCE
 from ..analysis.first_passage import FirstPassage
 from ..analysis.rare_falls import RareFalls
 from ..errors import InputError
+from ..library.gait import first_runner_in
 from ..library.quantities import QUANTITIES, known_quantities, quantities_of, unit_of
 from ..library.runner import Runner
-from ..record import runner_in
 from . import style
 
 if TYPE_CHECKING:
@@ -131,7 +131,7 @@ def of_front(data: xarray.Dataset) -> Figure:
                 markerfacecolor=face,
                 label=name,
             )
-    runner = Runner(runner_in(data), model=data.model)
+    runner = first_runner_in(data)
     style.label(axes, *(_with_unit(name, runner) for name in objectives))
     figure.legend(*axes.get_legend_handles_labels(), loc="outside upper right", ncols=2)
     return figure
