@@ -32,7 +32,7 @@ bool tdmf_is_sound_stride(tdmf_refusal *why, const tdmf_stride_request *request)
 /* The time that a stride may take, s. */
 double tdmf_longest_of(const tdmf_stride_request *request);
 
-/* What a solver's call for a stride, or for its stance, has come to. */
+/* Outcome of a stride from the end of a solver's call for it, or for its stance. */
 tdmf_return_outcome tdmf_return_outcome_of(tdmf_stride_outcome ended);
 
 /* Writes the quantities of the stride that the record closed last, in a run that began with it; `state` has

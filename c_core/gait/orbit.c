@@ -13,7 +13,7 @@ void tdmf_section_scales(const tdmf_model *model, double scales[TDMF_SECTION_COU
     memcpy(scales, values, sizeof values);
 }
 
-/* What a stride that has not closed makes of a search. */
+/* Outcome of a search that ended with a stride that did not close. */
 static tdmf_orbit_outcome why_not(tdmf_return_outcome outcome) {
     switch (outcome) {
     case TDMF_RETURN_REFUSED:
@@ -32,8 +32,8 @@ static tdmf_orbit_outcome why_not(tdmf_return_outcome outcome) {
 typedef struct {
     const tdmf_stride_request *request;
     int coordinates;
-    double steps_left; /* for the next stride */
-    tdmf_outcome last; /* how the solver's call for the last stride ended */
+    double steps_left; /* steps left for the next stride */
+    tdmf_outcome last; /* outcome of the solver's call for the last stride */
     tdmf_return strides[2];
 } search;
 

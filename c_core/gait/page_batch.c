@@ -14,7 +14,7 @@ enum { RUNS_AT_ONCE = 4096 };
 typedef struct {
     tdmf_page_run *runs;
     tdmf_run_outcome *outcomes;
-    int64_t *numbers; /* of the runs in the batch */
+    int64_t *numbers; /* numbers of the runs in the batch */
     double *until, *arrays;
     tdmf_event_row *rows;
 } room;

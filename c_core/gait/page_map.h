@@ -17,10 +17,10 @@ typedef struct {
 extern const tdmf_page_entry tdmf_pages[];
 extern const int tdmf_page_count;
 
-/* Of a library that `tdmf-slip build` made. */
+/* Identity of a library that `tdmf-slip build` made. */
 extern const char *const tdmf_build_identity;
 
-/* Whether a map can be used, apart from its parameters and states; whether these can; and a point. */
+/* Checks of a map apart from its parameters and states, of parameters and states, and of a point. */
 bool tdmf_is_page_map_sound(tdmf_refusal *why, const tdmf_page_map *map);
 bool tdmf_are_page_values_sound(const tdmf_model_kind *model, const double *parameters, const double *states);
 bool tdmf_is_page_point_sound(const tdmf_page_map *map, const double *point);
@@ -35,7 +35,7 @@ int tdmf_unmet_requirement(const tdmf_model_kind *model, const tdmf_page_run *r)
 void tdmf_read_page_run(const tdmf_model_kind *model, const tdmf_page_run *r, double *states,
                         double *d_states);
 
-/* What a run has come to; its logged events go to `events`, which may be NULL. */
+/* Result of a run; its logged events are written to `events`, which may be NULL. */
 tdmf_page_end tdmf_end_of_page_run(const tdmf_page_map *map, const tdmf_page_run *r, tdmf_run_outcome outcome,
                                    tdmf_page_event *events);
 

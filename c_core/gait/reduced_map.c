@@ -17,7 +17,7 @@
 
 enum { STATES = TDMF_PAGE_STATE_COUNT, PARAMETERS = TDMF_PAGE_PARAMETER_COUNT };
 
-/* In the runner's unit of time: nothing takes longer, also where any time is allowed. */
+/* Longest time of a stride in the runner's unit of time, even if the caller sets no limit. */
 static const double longest_time = 1e12;
 
 /* The log of a stride that is made alone. */

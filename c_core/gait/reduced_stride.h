@@ -14,7 +14,7 @@ typedef struct {
     tdmf_page_run run; /* without memory and log */
     double until;      /* s, that flight and stance may take each */
     double end;        /* when the part under way is given up */
-    int part;          /* of the stride */
+    int part;          /* part of the stride */
     tdmf_return_outcome outcome;
     tdmf_outcome ended;
     /* Numbers of the page that runs: the runner's page has most of them. */

@@ -32,7 +32,7 @@ typedef struct {
     int iterations;
     double error;                 /* largest difference of point and image, over the scales */
     double point[TDMF_MAP_LIMIT]; /* the best, or the guess */
-    int slot;                     /* of its evaluation */
+    int slot;                     /* slot of its evaluation */
 } tdmf_fixed_point;
 
 /* Searches from a guess, down to rounding. Steps that make the error larger are shortened. */

@@ -1,4 +1,4 @@
-/* By CPUID, leaves 1 and 7, and the extended control register 0; see Intel's manual, volume 1, chapter 14.
+/* Reads CPUID, leaves 1 and 7, and the extended control register 0; see Intel's manual, volume 1, chapter 14.
  * The compilers' own __builtin_cpu_supports needs a runtime that not all of them bring along. */
 #include "processor.h"
 

@@ -1,5 +1,5 @@
-/* How far series may be trusted: as long as the last two coefficients allow. Were a series cut there, what is
- * left out would be as small as the tolerance. */
+/* Step size from the last two coefficients of the series. The truncation error at the end of such a step is
+ * as small as the tolerance. */
 #ifndef TDMF_KERNEL_STEP_SIZE_H
 #define TDMF_KERNEL_STEP_SIZE_H
 

@@ -14,7 +14,7 @@ void tdmf_run_in_threads(tdmf_work *work, void *shared, int count);
 /* Adds one to a counter that threads share, and returns what it was. */
 int64_t tdmf_take_number(int64_t *counter);
 
-/* Whether a flag, or NULL for none, is no longer 0, which another thread may have set meanwhile. */
+/* True if a flag is no longer 0; another thread may set it meanwhile. False for NULL. */
 bool tdmf_is_raised(const int *flag);
 
 #endif

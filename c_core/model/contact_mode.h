@@ -1,10 +1,10 @@
-/* What state.h answers about a mode, in line for those who ask at every evaluation. */
+/* Inline versions of the questions about a mode in state.h, for callers that ask at every evaluation. */
 #ifndef TDMF_MODEL_CONTACT_MODE_H
 #define TDMF_MODEL_CONTACT_MODE_H
 
 #include "tdmf_slip/state.h"
 
-/* Contact and phase are ones that there are. */
+/* Contact and phase are valid enumerators. */
 static inline bool tdmf_is_mode(const tdmf_mode *mode) {
     const int contact = (int)mode->contact, phase = (int)mode->phase;
     return contact >= TDMF_CONTACT_FLIGHT && contact <= TDMF_CONTACT_GRAZE && phase >= TDMF_PHASE_DRIVE &&

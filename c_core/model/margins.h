@@ -1,4 +1,4 @@
-/* How near to zero counts as zero beside the margins of page_margins.h, in units of the quantity's scale. */
+/* Margins around zero, in units of the quantity's scale. page_margins.h has those of the kernel. */
 #ifndef TDMF_MODEL_MARGINS_H
 #define TDMF_MODEL_MARGINS_H
 

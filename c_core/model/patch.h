@@ -12,7 +12,7 @@ static inline bool tdmf_has_patch(const tdmf_model *model) {
     return model->parameters.ground.patch_begin < model->parameters.ground.patch_end;
 }
 
-/* Of a foot at x; no direction, 0, counts as forward. */
+/* Zone of a foot at x; a foot without direction, 0, counts as moving forward. */
 static inline tdmf_zone tdmf_zone_towards(const tdmf_model *model, double x, double direction) {
     if (!tdmf_has_patch(model)) {
         return TDMF_ZONE_BEFORE;

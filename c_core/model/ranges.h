@@ -15,16 +15,16 @@ typedef struct {
     double minimum;
     double maximum;
     double start;
-    bool continuous; /* between events it may change */
-    bool at_events;  /* at events it may */
-    size_t offset;   /* of the value in tdmf_parameters or tdmf_inputs; not used for states */
+    bool continuous; /* may change between events */
+    bool at_events;  /* may change at events */
+    size_t offset;   /* offset of the value in tdmf_parameters or tdmf_inputs; not used for states */
 } tdmf_range;
 
 /* A Boolean parameter. */
 typedef struct {
     const char *name;
     bool start;
-    size_t offset; /* in tdmf_parameters */
+    size_t offset; /* offset in tdmf_parameters */
 } tdmf_flag;
 
 extern const tdmf_range tdmf_parameter_ranges[TDMF_PARAMETER_COUNT];

@@ -24,7 +24,7 @@ bool tdmf_accepts_element(tdmf_refusal *why, const char *name, int64_t index, do
 bool tdmf_accepts_array(tdmf_refusal *why, const char *name, const void *elements, const char *count_name,
                         int64_t count, int64_t most);
 
-/* What must hold. */
+/* Accepts if `holds`; otherwise writes the refusal of the element `index` of `name` by `rule`. */
 bool tdmf_accepts_if(tdmf_refusal *why, bool holds, tdmf_refusal_code code, const char *name, int64_t index,
                      const char *rule);
 

@@ -18,8 +18,8 @@ bool tdmf_cvode_is_available(void) {
 typedef struct {
     tdmf_solver *options;
     tdmf_system system;
-    tdmf_motion begun; /* as the call found it */
-    int last_mode;     /* of the page: where the run was before it fell */
+    tdmf_motion begun; /* motion at the beginning of the call */
+    int last_mode;     /* mode of the page before the fall */
     tdmf_motion_instant instant;
     double memory[TDMF_SETTLING_MEMORY];
 } cvode_run;

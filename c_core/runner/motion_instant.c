@@ -1,4 +1,4 @@
-/* From a mode and a state to the derived functions of the runner's page. */
+/* Evaluation of the runner page's derived functions at a mode and a state. */
 #include "motion_instant.h"
 
 #include "contact_mode.h"
@@ -19,7 +19,7 @@ void tdmf_begin_ramped_instant(tdmf_motion_instant *instant, tdmf_system system,
     tdmf_motion motion;
     memset(&motion, 0, sizeof motion);
     motion.mode = *mode;
-    if (!tdmf_is_mode(mode)) { /* what follows from the state alone is that of flight */
+    if (!tdmf_is_mode(mode)) { /* results of the state alone are those of flight */
         motion.mode.contact = TDMF_CONTACT_FLIGHT;
         motion.mode.phase = TDMF_PHASE_PLACE;
     }

@@ -80,7 +80,7 @@ static tdmf_outcome run_motion(tdmf_solver *solver, tdmf_system system, const td
     }
     tdmf_end_runner_run(&s.run, &s.point);
     tdmf_motion_of_page(system, &s.point, s.last_mode, motion);
-    if (s.run.run.steps == 0 && s.run.run.events == 0) { /* nothing but the rounding of the two maps */
+    if (s.run.run.steps == 0 && s.run.run.events == 0) { /* removes the rounding of the two maps */
         memcpy(motion->state, before.state, TDMF_MECHANICAL_COUNT * sizeof *motion->state);
     }
     if (outcome == TDMF_ARRIVED && !s.has_stopped) {

@@ -51,7 +51,7 @@ void tdmf_outputs_of(tdmf_system system, const tdmf_motion *motion, tdmf_outputs
     tdmf_begin_instant(&instant, system, mode, motion->state);
     tdmf_write_outputs(&instant);
     double *o = instant.outputs, base = instant.point.base;
-    if (!tdmf_is_mode(mode)) { /* nothing that follows from the laws passes for a result */
+    if (!tdmf_is_mode(mode)) { /* results of the laws are not available */
         o[OUTPUT_torque] = o[OUTPUT_normal_force] = o[OUTPUT_tangential_force] = NAN;
         o[OUTPUT_ground_force_x] = o[OUTPUT_ground_force_y] = NAN;
     }

@@ -1,4 +1,4 @@
-/* Where parameters, inputs and states of the core are on the runner's page. The same places hold changes. */
+/* Places of the core's parameters, inputs and states on the runner's page. Variations use the same places. */
 #ifndef TDMF_RUNNER_PAGE_FIELDS_H
 #define TDMF_RUNNER_PAGE_FIELDS_H
 

@@ -14,9 +14,9 @@
 
 #include <math.h>
 
-static const double far_away = 1e12;  /* of borders that are never reached */
+static const double far_away = 1e12;  /* place of borders that are never reached */
 static const double long_ago = -1.0;  /* a time before the motion */
-static const double shortest = 1e-30; /* of a leg, in l0: one without length is taken to be so short */
+static const double shortest = 1e-30; /* length in l0 that a leg of length zero is given */
 
 static void write_rates(const tdmf_inputs *rates, runner_states *x) {
     x->friction_rate = rates->ground.friction;
@@ -128,7 +128,7 @@ static bool is_pushed(const runner_states *x) {
            x->external_fy_rate != 0.0;
 }
 
-/* Whether a slip is so slow that friction depends on its speed. */
+/* True if a slip is so slow that friction depends on its speed. */
 static bool is_in_layer(const runner_states *x, const runner_parameters *p) {
     const bool friction_falls = p->stribeck_velocity > 0.0 && p->static_ratio > 1.0;
     return friction_falls && fabs(x->seen_vx) <= TDMF_LAYER_WIDTH * p->stribeck_velocity * cos(x->slope);
@@ -201,7 +201,8 @@ static tdmf_contact_mode contact_of(int mode, double way) {
     }
 }
 
-/* Whether an apex is to come. In place one is if the centre of mass rises, again or pushed. */
+/* True if an apex is to come. While the leg is placed, one comes if the centre of mass rises again or is
+ * pushed. */
 static bool rises(const tdmf_model *model, const tdmf_page_point *point, const tdmf_mode *mode) {
     const runner_states *x = &point->x;
     const tdmf_ground_line *ground = &mode->ground;

@@ -18,7 +18,7 @@ typedef struct {
     runner_parameters p;
     runner_states x;
     int mode;          /* a MODE_ of the whole page */
-    uint64_t above;    /* as in tdmf_page_run */
+    uint64_t above;    /* see tdmf_page_run */
     double base;       /* the page counts heights from here: from the ground line in force, if it is near */
     double time, rest; /* since the motion that was read: the sum of both */
 } tdmf_page_point;

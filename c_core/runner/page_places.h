@@ -6,7 +6,8 @@
 #include "runner.h"
 
 extern const tdmf_page_part tdmf_whole_page, tdmf_plain_runner_part;
-extern const tdmf_page_part tdmf_reduced_runner_part, tdmf_plain_reduced_runner_part; /* of the reduced map */
+/* Parts of the reduced map. */
+extern const tdmf_page_part tdmf_reduced_runner_part, tdmf_plain_reduced_runner_part;
 
 /* Numbers of the runner's page, which has most of them. */
 enum {

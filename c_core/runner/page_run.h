@@ -17,16 +17,16 @@
 typedef struct {
     const tdmf_page_part *page;
     tdmf_page_run run;
-    double p[TDMF_PAGE_PARAMETER_COUNT], x[TDMF_PAGE_STATE_COUNT]; /* of the page that runs */
+    double p[TDMF_PAGE_PARAMETER_COUNT], x[TDMF_PAGE_STATE_COUNT]; /* numbers of the page that runs */
 } tdmf_runner_run;
 
-/* Whether the plain page has all that acts on this runner. */
+/* True if the plain page has all that acts on this runner. */
 bool tdmf_suits_plain_page(const tdmf_page_point *point);
 
 /* Begins a run at a point, at the time 0 of the page, with the defaults of tdmf_run_default. */
 void tdmf_begin_runner_run(tdmf_runner_run *run, const tdmf_page_point *point, bool is_plain);
 
-/* Writes where the run has come to into the point at which it began. */
+/* Replaces the point at which the run began by the point that it has reached. */
 void tdmf_end_runner_run(const tdmf_runner_run *run, tdmf_page_point *point);
 
 #endif

@@ -203,7 +203,7 @@ static tdmf_run_outcome to_event(tdmf_page_solver *s, working_memory *w, double 
     return outcome;
 }
 
-/* Whether a runner takes more steps in a unit of time than a stiff one may; begins the next such span. */
+/* True if a runner has taken too many steps within a unit of time. Begins the next span of steps. */
 static bool is_too_stiff(tdmf_page_solver *s) {
     const double time = s->run.run.time;
     const bool is_stiff = time - s->span_began < s->system.model->scales.time;
@@ -211,7 +211,7 @@ static bool is_too_stiff(tdmf_page_solver *s) {
     return is_stiff;
 }
 
-/* How fast the leg turns or changes its length, in which a short step is not stiffness. */
+/* Rate at which the leg turns or changes its length. A fast leg needs short steps without being stiff. */
 static double speed_of_leg(const tdmf_page_point *point) {
     runner_states x = point->x;
     tdmf_runner_model.modes[point->mode].to_world((const double *)&point->p, (const double *)&point->x,

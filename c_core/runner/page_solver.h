@@ -12,22 +12,22 @@ enum { TDMF_PAGE_MEMORY = 8960 };
 typedef struct {
     tdmf_solver *solver;
     tdmf_system system;
-    const tdmf_motion *motion; /* for the log, or NULL */
+    const tdmf_motion *motion; /* motion for the log, or NULL */
     tdmf_page_point point;
     tdmf_runner_run run;
-    int last_mode;     /* of the whole page: where the run was before it fell */
-    double span_began; /* in page time: steps since then are counted against TDMF_STIFFNESS_LIMIT */
-    long events_left;  /* of the solver's limit */
+    int last_mode;     /* the whole page's mode before the fall */
+    double span_began; /* page time since which steps are counted against TDMF_STIFFNESS_LIMIT */
+    long events_left;  /* rest of the solver's event limit */
     bool is_counted;   /* the chain in zero time that the last event belongs to */
     bool has_event;
     tdmf_event event;    /* the last, if there is one: the chain that it begins may go on */
-    bool has_stopped;    /* at the event asked for */
-    bool stays_on_guard; /* at that event variations are those on its guard, not those at its time */
+    bool has_stopped;    /* the run has stopped at the requested event */
+    bool stays_on_guard; /* variations at that event are those on its guard, not those at its time */
     /* Variations of all directions, as the page that runs has them. */
     double dp[TDMF_VARIATION_LIMIT * TDMF_PAGE_PARAMETER_COUNT];
     double dx[TDMF_VARIATION_LIMIT * TDMF_PAGE_STATE_COUNT];
     double shift[TDMF_VARIATION_LIMIT];
-    double memory[TDMF_PAGE_MEMORY]; /* as tdmf_run_memory_size asks for */
+    double memory[TDMF_PAGE_MEMORY]; /* size: see tdmf_run_memory_size */
 } tdmf_page_solver;
 
 /* The guard of an event of the whole page, for the log; TDMF_GUARD_COUNT: the event is the page's own. */

@@ -7,7 +7,7 @@
 #include <float.h>
 #include <string.h>
 
-/* Whether the plain page has all that changes along a seed: nothing is lost on the way there and back. */
+/* True if the plain page has all that changes along a seed: mapping the seed there and back loses nothing. */
 static bool varies_plain_page(const tdmf_seed *seed) {
     const tdmf_page_part *part = &tdmf_plain_runner_part;
     const tdmf_page_direction d = tdmf_direction_of_seed(seed);

@@ -10,15 +10,14 @@ typedef struct {
     runner_states x;
 } tdmf_page_direction;
 
-/* Whether the plain page has all that acts on the runner of a point, and all that changes along the seeds. */
+/* True if the plain page has all that acts on the runner of a point, and all that changes along the seeds. */
 bool tdmf_suits_plain_page_varied(const tdmf_page_point *point, const tdmf_seed *seeds, int count);
 
 /* Rates of the inputs for a run with these seeds. A push that is 0 and varies acts as one that is ramped, too
  * slowly for any result. */
 tdmf_inputs tdmf_rates_with_varied_push(const tdmf_inputs *rates, const tdmf_seed *seeds, int count);
 
-/* Whether there is no derivative along a seed: along a gain where both gains are zero, because the clamp has
- * a kink. */
+/* True if there is no derivative along a seed. The clamp has a kink along a gain if both gains are zero. */
 bool tdmf_is_kinked(const tdmf_parameters *parameters, const tdmf_seed *seed);
 
 /* The change of parameters and inputs, for states that do not change. */

@@ -132,7 +132,7 @@ tdmf_refusal tdmf_start(tdmf_system system, tdmf_motion *motion) {
     point.above = run.above;
     tdmf_motion_of_page(system, &point, run.mode, motion);
     if (motion->mode.contact == TDMF_CONTACT_FLIGHT && motion->record.progress.open.touchdowns == 0) {
-        memcpy(motion->state, given, sizeof given); /* but for the rounding of the two maps */
+        memcpy(motion->state, given, sizeof given); /* removes the rounding of the two maps */
     }
     /* An impact counts as an event and as a touchdown; that a foot at rest is on the ground is none. */
     motion->record.event_count = is_impact;

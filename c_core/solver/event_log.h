@@ -1,4 +1,4 @@
-/* How a solver notes an event that it has taken. */
+/* Logging of events that a solver has taken. */
 #ifndef TDMF_SOLVER_EVENT_LOG_H
 #define TDMF_SOLVER_EVENT_LOG_H
 

@@ -27,11 +27,11 @@ typedef struct {
     tdmf_page_run *run; /* while CVODE runs, as it was at the beginning */
     unsigned char *watch;
     int64_t *evaluations;
-    int *indices; /* of the integrated states, then of those with a constant rate */
+    int *indices; /* indices of the integrated states, then of those with a constant rate */
     int count, steady_count, root_count;
     bool rises[TDMF_WATCH_LIMIT];      /* observed quantities, at the beginning */
     double *x, *rates, *room, *memory; /* a trial state, its rates, and memory for an instant */
-    double *steady_rates;              /* by state */
+    double *steady_rates;              /* indexed by state */
 } problem;
 
 /* All that CVODE allocates. */
@@ -290,7 +290,7 @@ static tdmf_run_outcome go_to_root(workspace *space, problem *problem, double le
     const int flag = go_on(space, problem, left, limit, &time);
     CVodeGetNumSteps(space->integrator, &steps);
     run->steps += steps;
-    /* Where it failed, CVODE gives the last time and state that it reached. */
+    /* If CVODE failed, it returns the last time and state that it reached. */
     const bool is_due = look_around(space, problem, time);
     put(problem, time, space->state, run->x);
     tdmf_pass_time(run, time);

@@ -1,4 +1,4 @@
-/* What solvers refuse. */
+/* Requests that solvers refuse. */
 #include "request.h"
 
 #include "contact_mode.h"

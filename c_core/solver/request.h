@@ -1,4 +1,5 @@
-/* What a solver is asked for: no solver starts on what makes no sense, as no step would show it. */
+/* Checks of a solver's request. A request without sense must be refused at the start: no step would reveal
+ * it. */
 #ifndef TDMF_SOLVER_REQUEST_H
 #define TDMF_SOLVER_REQUEST_H
 

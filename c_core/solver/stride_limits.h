@@ -5,7 +5,7 @@
 
 #include "tdmf_slip/solver.h"
 
-/* In sqrt(m/k): a stride that takes longer counts as none. */
+/* Time limit of a stride, in sqrt(m/k). */
 #define TDMF_LONGEST_STRIDE 1e4
 
 /* Step limit of the next of several strides, from the steps left over so far: see TDMF_STEP_LIMIT. */

@@ -1,4 +1,4 @@
-/* What follows from one instant: outputs by value, positions, modes, and an impact. */
+/* Results of one instant: outputs by value, positions, modes, and an impact. */
 #ifndef TDMF_TESTS_AT_INSTANT_H
 #define TDMF_TESTS_AT_INSTANT_H
 

@@ -13,7 +13,7 @@ typedef struct {
     tdmf_ensemble_end *ends;
     tdmf_ensemble_stride *strides; /* see note_strides */
     tdmf_ensemble_checkpoint *checkpoints;
-    tdmf_ensemble ensemble; /* in one thread */
+    tdmf_ensemble ensemble; /* runs in one thread */
 } crowd;
 
 /* Default runners at the apex of the default gait, until the end of the test. */

@@ -36,8 +36,7 @@ static dimension dimension_of_factor(const char *name, size_t length) {
     return no_unit;
 }
 
-/* Of a unit as the table writes it: factors with a dot between, a bar before what divides, exponents behind.
- */
+/* Dimension of a unit in the table's notation, such as "kg.m2/s2". */
 static dimension dimension_of(const char *unit) {
     dimension product = no_unit;
     double sign = 1.0;
@@ -64,14 +63,14 @@ static double clip(const tdmf_range *range, double value) {
     return fmax(range->minimum, fmin(range->maximum, value));
 }
 
-/* Where a range reaches 0, fifteen decades below its end. */
+/* A value from a whole range; a range that reaches 0 is drawn over fifteen decades below its end. */
 static double anywhere(random_source *source, const tdmf_range *range) {
     const double end = range->maximum;
     const double sign = range->minimum < 0.0 && random_chance(source, 0.5) ? -1.0 : 1.0;
     return sign * random_magnitude(source, range->minimum > 0.0 ? range->minimum : 1e-15 * end, end);
 }
 
-/* Around what: a hundredth of the unit, which is for a push the weight. */
+/* Centre of the values drawn: the start value, or a hundredth of the unit if the start value is 0. */
 static double typical_value(const tdmf_range *range) {
     return range->start == 0.0 ? 0.01 : range->start;
 }
@@ -137,7 +136,7 @@ static double *member_of(tdmf_parameters *parameters, const tdmf_range *range) {
     return (double *)((char *)parameters + range->offset);
 }
 
-/* What is drawn first: the units of all others are made of it. */
+/* A parameter that is drawn first, because the units of the others are made of it. */
 static bool is_scale(const tdmf_range *range) {
     return range->offset == offsetof(tdmf_parameters, body.mass) ||
            range->offset == offsetof(tdmf_parameters, leg.stiffness) ||

@@ -19,7 +19,7 @@ runner runner_at_further_apex(const further_gait *further) {
 
 tdmf_parameters parameters_of_further_gait(const further_gait *further) {
     tdmf_parameters parameters = tdmf_default_parameters();
-    parameters.hip.swing_clamp = true; /* as the reference has it */
+    parameters.hip.swing_clamp = true; /* the reference's setting */
     parameters.hip.touchdown_angle = further->touchdown_angle * (acos(-1.0) / 180.0);
     parameters.hip.retraction_rate = further->retraction_rate;
     parameters.ground.static_friction_ratio = further->static_friction_ratio;

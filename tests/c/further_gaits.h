@@ -15,7 +15,7 @@ typedef struct {
     double external_fx, external_fy;
     reference_gait gait; /* its work is that of hip and leg */
     double rise, leg_work, external_work;
-    double damper_loss, friction_loss, impact_loss; /* of a stride */
+    double damper_loss, friction_loss, impact_loss; /* per stride */
 } further_gait;
 
 enum { FURTHER_GAITS = 28 };

@@ -1,4 +1,4 @@
-/* What the fuzzers share: random values drawn from the input's bytes, and what must hold after any call.
+/* Shared by the fuzzers: random values drawn from the input's bytes, and what must hold after any call.
  *
  * Each fuzzer is a LLVMFuzzerTestOneInput, whose bytes choose the calls; libFuzzer looks for bytes that reach
  * new code. Without libFuzzer, fuzz_main.c replays saved inputs and makes up some of its own. */
@@ -8,7 +8,7 @@
 #include "random.h"
 #include "variables.h"
 
-enum { STEPS_OF_A_CALL = 2000 /* of the solver, at the most */ };
+enum { STEPS_OF_A_CALL = 2000 /* step limit of the solver */ };
 
 int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size);
 

@@ -44,7 +44,7 @@ static double random_time(const subject *on) {
     return on->model.scales.time * random_magnitude(on->source, 1e-3, 1e2);
 }
 
-/* Of what need not be held, of the size that inputs have. */
+/* Rates of inputs that need not be held, of the size that inputs have. */
 static tdmf_inputs random_rates(const subject *on, double duration) {
     tdmf_inputs rates = {.ground = {.friction = 0.0}};
     if (random_chance(on->source, 0.3)) {

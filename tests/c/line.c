@@ -4,7 +4,8 @@
 
 #include <math.h>
 
-/* Nothing is derived from the damper, the hip and the ground, which may be what no runner is given. */
+/* The model with the parameters as they are, even those of damper, hip and ground that would be refused.
+ * Derived numbers do not depend on them. */
 static tdmf_model model_of(const tdmf_parameters *parameters) {
     tdmf_parameters accepted = *parameters;
     tdmf_model model;

@@ -1,4 +1,4 @@
-/* What units have said to the tests' importers, and the variables they speak of. */
+/* Messages that units have sent to the tests' importers, and the variables that they name. */
 #ifndef TDMF_TESTS_MESSAGES_H
 #define TDMF_TESTS_MESSAGES_H
 

@@ -4,7 +4,7 @@
 
 tdmf_parameters parameters_of_patch_run(const patch_run *run) {
     tdmf_parameters parameters = tdmf_default_parameters();
-    parameters.hip.swing_clamp = true; /* as the reference has it */
+    parameters.hip.swing_clamp = true; /* the reference's setting */
     parameters.ground.static_friction_ratio =
         run->static_friction_ratio == 0.0 ? 1.0 : run->static_friction_ratio;
     parameters.ground.stribeck_velocity = run->stribeck_velocity;

@@ -19,8 +19,8 @@ typedef struct {
     double crossing_times[MAX_CROSSINGS];
     struct {
         double period, speed, cost_of_transport, slip_distance, friction_loss;
-    } last;                                              /* of the last stride, where it is told */
-    double fall_time, fall_state[TDMF_MECHANICAL_COUNT]; /* where it falls after that */
+    } last;                                              /* last stride, if reported */
+    double fall_time, fall_state[TDMF_MECHANICAL_COUNT]; /* the fall after it */
 } patch_run;
 
 extern const patch_run patch_runs[PATCH_RUNS];

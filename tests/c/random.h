@@ -17,12 +17,12 @@ double random_magnitude(random_source *source, double from, double to);
 
 bool random_chance(random_source *source, double probability);
 
-/* As likely true as false, by what the source stands at: it draws nothing, so that all else is as it would be
- * without. */
+/* True or false with equal probability, from the source's present state. The source does not advance, so the
+ * values drawn from it later are unchanged. */
 bool random_truth(random_source source);
 
-/* From now on every source draws from these bytes, two for a number, and 0 when they are used up: so a fuzzer
- * chooses what is random. With NULL they draw as ever. */
+/* Makes every source draw from these bytes, two for a number, and 0 when they are used up. A fuzzer chooses
+ * the random numbers this way. NULL restores the usual sources. */
 void random_draw_from(const uint8_t *bytes, size_t size);
 size_t random_bytes_left(void);
 

@@ -34,8 +34,9 @@ typedef struct {
     struct {
         double com_height, com_speed, leg_length, leg_angle, leg_length_rate, leg_angle_rate;
     } apex;
-    reference_event events[12];                              /* the unused ones are 0 */
-    double jacobian[TDMF_SECTION_COUNT][TDMF_SECTION_COUNT]; /* of the return map, good to 3e-9; or 0 */
+    reference_event events[12]; /* the unused ones are 0 */
+    /* Jacobian of the return map, good to 3e-9; or 0. */
+    double jacobian[TDMF_SECTION_COUNT][TDMF_SECTION_COUNT];
 } reference_gait;
 
 /* Indices of gaits: the default runner's gait, and its gait with the clamp. The published gaits come first:

@@ -8,7 +8,7 @@
 #define TDMF_SAMPLE_DIVISOR 1
 #endif
 
-/* Of so many runs, or of what so many meet, the number in this build; a constant where `count` is one. */
+/* Number that remains in this build of `count` runs or cases; a constant expression if `count` is one. */
 #define sample_of(count) (((count) + TDMF_SAMPLE_DIVISOR - 1) / TDMF_SAMPLE_DIVISOR)
 
 #endif

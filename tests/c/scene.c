@@ -8,7 +8,7 @@
 
 static const double high_friction = 1000.0;
 
-/* What follows from the rest of a mode off the ground, and from a leg that is accounted for. */
+/* Sets the members of a mode that follow from the others. */
 static void complete_mode(runner *runner) {
     runner->motion.mode.rises = runner->motion.mode.phase == TDMF_PHASE_RETRACT;
     runner->motion.mode.rest_length = runner->model.parameters.leg.free_length;
@@ -152,7 +152,7 @@ tdmf_resolution scene_resolve(runner *runner) {
     return resolution;
 }
 
-/* From a copy of the source: all else is as it would be without them. */
+/* Draws from a copy of the source, so that the values drawn from the source itself are unchanged. */
 static void choose_further_laws(random_source copy, tdmf_parameters *p) {
     copy.state ^= UINT64_C(0x6a09e667f3bcc909);
     p->ground.static_friction_ratio = random_uniform(&copy, 1.1, 1.5);
@@ -216,7 +216,7 @@ static void random_state(random_source *source, runner *runner) {
     state[TDMF_LEG_ANGLE_RATE] = random_uniform(source, -2.0, 2.0) / scales->time;
 }
 
-/* From a copy of the source, as are the further laws: the level ground every other time. */
+/* Chooses level ground in half of the cases. Draws from a copy of the source, as choose_further_laws does. */
 static void choose_ground(random_source copy, runner *runner) {
     copy.state ^= UINT64_C(0xbb67ae8584caa73b);
     if (random_chance(&copy, 0.5)) {
@@ -234,7 +234,7 @@ static void choose_ground(random_source copy, runner *runner) {
     }
 }
 
-/* What the contact mode says of the foot's motion, which is drawn along the ground and away from it. */
+/* Constrains the foot's motion as its contact mode does. The motion is drawn along the ground and off it. */
 static void constrain(runner *runner) {
     const tdmf_ground_line *ground = &runner->motion.mode.ground;
     double *state = runner->motion.state;

@@ -8,7 +8,7 @@
 #include "integrate.h"
 #include "random.h"
 
-/* How far past an event a guarded quantity is set, in units of it. */
+/* Distance past an event at which a guarded quantity is set, in the quantity's unit. */
 #define SCENE_PAST_EVENT (-2.0 * TDMF_GUARD_MARGIN)
 
 /* A foot at rest on the ground in coast, the leg still, carrying `vertical_force`; high friction. */
@@ -64,8 +64,8 @@ void scene_leave_minima(tdmf_parameters *parameters);
 /* A random model, input, state and mode with this contact mode, obeying the mode's constraints. */
 runner scene_random(random_source *source, tdmf_contact_mode contact);
 
-/* For numerical differentiation along the motion: a time in which no coordinate goes far, s; and how exact a
- * force may be expected to be, N, against all the forces at work on a light foot. */
+/* For numerical differentiation along the motion: a time in which no coordinate goes far, s; and the error
+ * to expect of a force, N, from the rounding of all forces on a light foot. */
 double scene_short_time(const runner *runner);
 double scene_force_tolerance(const runner *runner);
 

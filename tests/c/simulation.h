@@ -14,7 +14,7 @@ typedef struct {
     tdmf_inputs inputs, rates;
     tdmf_motion motion;
     tdmf_solver solver;
-    tdmf_event_log log; /* of the last call */
+    tdmf_event_log log; /* events of the last call */
     double start_energy;
 } simulation;
 
@@ -38,7 +38,7 @@ void simulation_start(simulation *simulation);
 tdmf_outcome simulation_advance(simulation *simulation, double until);
 tdmf_outcome simulation_advance_by(solver_call *advance, simulation *simulation, double until);
 
-/* To the next apex; asserts that there is one. */
+/* Runs to the next apex; asserts that there is one. */
 void simulation_stride(simulation *simulation);
 
 /* The first event of a kind in the log, or NULL. */

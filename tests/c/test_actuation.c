@@ -220,7 +220,7 @@ TEST(graze_keeps_thrust_and_does_not_start_it) {
 /* ---- pushes -------------------------------------------------------------------------------------------- */
 
 /* Lifted in place, the runner rises; let go, it passes a second apex, with a word that is empty. */
-TEST(who_is_lifted_in_place_passes_a_second_apex) {
+TEST(a_runner_lifted_in_place_passes_a_second_apex) {
     simulation run = begin(0.0, 1e-11);
     run.inputs.body.external_fy = 0.05;
     simulation_advance(&run, 6.0);
@@ -235,7 +235,7 @@ TEST(who_is_lifted_in_place_passes_a_second_apex) {
     assert_close(simulation_ledger_error(&run), 0.0, 1e-12);
 }
 
-/* By a push that grows and fades, within one call: the solver has to see the rise and the apex itself. */
+/* The push grows and fades within one call: the solver has to see the rise and the apex itself. */
 TEST(a_push_that_ramps_may_lift_and_drop_in_place) {
     const tdmf_inputs grows = {.body = {.external_fy = 0.02}}, fades = {.body = {.external_fy = -0.02}};
     for (int i = 0; i < 2; ++i) {

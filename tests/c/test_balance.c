@@ -79,7 +79,7 @@ static void integrals_follow_their_definitions(const runner *runner) {
     const double rubbed =
         -outputs_at(SYSTEM_OF(runner), &runner->motion.mode, runner->motion.state).contact.tangential *
         tdmf_foot_over_ground(&runner->motion.mode.ground, runner->motion.state).vx;
-    /* On the ground the page has the leg's rates from the body's velocity, by whose size they are rounded. */
+    /* On the ground the leg's rates come from the body's velocity, so they round with its size. */
     const double speed = fabs(length_rate) + fabs(runner->motion.state[TDMF_LEG_LENGTH] *
                                                   runner->motion.state[TDMF_LEG_ANGLE_RATE]);
     const double rounding = 1e-15 * runner->model.parameters.leg.damping * fabs(length_rate) * speed;

@@ -44,7 +44,7 @@ static double value_of(const cubic *p, double t) {
     return p->c[0] + t * (p->c[1] + t * (p->c[2] + t * p->c[3]));
 }
 
-/* By bisection: of a function that changes its sign between two times. */
+/* Zero by bisection of a function that changes its sign between two times. */
 static double zero_between(const cubic *p, double from, double to) {
     const bool falls = value_of(p, from) > 0.0;
     assert_true(falls == (value_of(p, to) < 0.0));
@@ -137,14 +137,14 @@ TEST(a_ramped_push_lifts_the_foot_when_it_carries_the_weight) {
     }
 }
 
-/* Of a flight that rises, under a push that grows or falls off. */
+/* The flight rises under a push that grows or falls off. */
 TEST(a_ramped_push_moves_the_apex) {
     static const double push_rates[] = {-3e-3, -3e-4, 3e-4};
     for (int i = 0; i < 3; ++i) {
         simulation run = run_without_losses(0.5);
         const cubic foot = fly_under_ramp(&run, 3.0, 0.1, 0.0, push_rates[i] * run.model.total_mass);
         cubic rise = rate_of(&foot);
-        rise.c[0] = 0.1; /* of the centre of mass, which all else moves with */
+        rise.c[0] = 0.1; /* centre of mass: the foot moves relative to it */
         const double apex = zero_between(&rise, 0.0, 20.0);
         simulation_start(&run);
         assert_true(run.motion.mode.rises);
@@ -191,7 +191,7 @@ TEST(a_light_body_below_its_foot_falls_when_it_is_down) {
  * friction of rest has fallen to the tangent of the slope. */
 TEST(a_foot_slips_when_friction_has_fallen_to_the_slope) {
     static const double ratios[] = {1.0, 1.5};
-    static const double dips[] = {0.0, 0.1}; /* of a body at rest, and of one that bobs */
+    static const double dips[] = {0.0, 0.1}; /* a body at rest, and one that bobs */
     int slipped = 0;
     for (int i = 0; i < 8; ++i) {
         simulation run = run_without_losses(0.05);

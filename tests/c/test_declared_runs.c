@@ -20,7 +20,7 @@
 
 enum { PARTS = 8, STEPS_OF_A_PART = 2000, OUTCOMES = TDMF_REFUSED + 1 };
 
-/* Of the energies met: what rounding and the margins of guards leave open. */
+/* Error of the ledger from rounding and from the margins of guards, relative to the largest energy met. */
 static const double ledger_rounding = 1e-12;
 
 static long runs = TDMF_SAMPLE_DIVISOR > 10 ? 1500 : 5000;
@@ -28,7 +28,7 @@ static long first_seed = 0;
 
 typedef struct {
     bool has_further_inputs;       /* see declared_further_inputs */
-    random_source source, further; /* the latter of what only such a run has */
+    random_source source, further; /* `further` draws the further inputs */
     tdmf_model model;
     tdmf_inputs inputs;
     double decades;
@@ -85,7 +85,7 @@ static double body_energy(const run *run) {
            (hypot(state[TDMF_FOOT_VX], state[TDMF_FOOT_VY]) + of_leg);
 }
 
-/* Of the last piece of a run, from its first inputs to its last. */
+/* Records the largest energies of a run's last piece, which began with the inputs `from`. */
 static void record_energies(run *run, const tdmf_inputs *from) {
     const double *state = run->motion.state;
     run->farthest = fmax(run->farthest, hypot(state[TDMF_FOOT_X], state[TDMF_FOOT_Y]));
@@ -203,7 +203,7 @@ static const char *broken_contact(const run *run, tdmf_outcome outcome) {
     const double forces = run->model.scales.force + fabs(now.contact.tangential) +
                           run->model.parameters.leg.damping * speed +
                           run->model.parameters.leg.stiffness * fabs(state[TDMF_LEG_LENGTH]);
-    /* of rest, which slow slips may have, too */
+    /* static friction, because slow slips may have it, too */
     const tdmf_parameters *p = &run->model.parameters;
     const double friction =
         p->ground.static_friction_ratio * fmax(run->inputs.ground.friction, p->ground.patch_friction);
@@ -296,7 +296,7 @@ static tdmf_outcome advance(run *run) {
     return outcome;
 }
 
-/* From where it would be on level ground, to as high over its own. */
+/* Moves the foot from its height above level ground to the same height above the run's own ground. */
 static void lift_to_ground(run *run) {
     declared_further_inputs(&run->further, &run->model.parameters, run->decades, &run->inputs);
     const tdmf_ground_line line = tdmf_ground_line_set(&run->inputs);
@@ -340,7 +340,7 @@ static void record_what_is_met(const run *run, tally *seen) {
     seen->external_work += state[TDMF_ENERGY_EXTERNAL_WORK] != 0.0;
 }
 
-/* What is wrong with the run of this seed, or NULL. */
+/* Runs a seed. Returns the first fault, or NULL. */
 static const char *follow(uint64_t seed, tally *seen) {
     run run;
     if (!begin(seed, &run)) {

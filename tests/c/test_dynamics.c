@@ -28,12 +28,12 @@ static void positions_of(const long double q[FREEDOMS], long double position[POS
 
 typedef struct {
     const tdmf_parameters *parameters;
-    double rest_length;      /* of the spring */
-    double force_x, force_y; /* on the body, from outside */
+    double rest_length;      /* rest length of the spring */
+    double force_x, force_y; /* external forces on the body */
     long double q[FREEDOMS];
     long double rate[FREEDOMS];
-    long double direction[FREEDOMS]; /* in which q is moved to differentiate */
-    int index;                       /* of what is differentiated */
+    long double direction[FREEDOMS]; /* direction of q for the difference */
+    int index;                       /* index of the differentiated quantity */
 } motion;
 
 static void move(const motion *motion, long double t, long double q[FREEDOMS]) {
@@ -50,12 +50,12 @@ static long double position_on_path(long double t, const void *context) {
     return position[path->index];
 }
 
-/* Of all coordinates only the angle enters otherwise than linearly: move it by a hundredth. */
+/* The angle is the only coordinate that enters nonlinearly: the difference moves it by a hundredth. */
 static long double differentiate_along(function_of_time f, const motion *motion) {
     return derivative_at_zero(f, motion, 1e-2L / (1.0L + fabsl(motion->direction[THETA])));
 }
 
-/* How fast a place changes when q moves in `direction`. */
+/* Rate of a position when q moves in `direction`. */
 static long double speed_of(motion motion, const long double direction[FREEDOMS], int position) {
     memcpy(motion.direction, direction, sizeof motion.direction);
     motion.index = position;
@@ -173,7 +173,8 @@ static void require_off(equation row, const tdmf_ground_line *ground, int x, int
     row[y] += (long double)(factor * ground->cosine);
 }
 
-/* What defines the mode stands in the last three rows. The ground is a line that the foot cannot leave. */
+/* Writes the conditions of the mode into the last three rows. The ground is a line that the foot cannot
+ * leave. */
 static void equations_of_mode(const runner *runner, equation rows[UNKNOWNS]) {
     const double torque = control_law(runner) + runner->inputs.hip.external_torque;
     const tdmf_contact_mode contact = runner->motion.mode.contact;

@@ -17,7 +17,7 @@ static double size_of(const double *pair) {
     return hypot(pair[0], pair[1]);
 }
 
-/* Of values that are real and given by size. */
+/* Asserts eigenvalues that are real; `expected` is sorted by size. */
 static void assert_are(int count, const double *matrix, const double *expected, double tolerance) {
     double pairs[2 * SIZE];
     assert_true(tdmf_eigenvalues(count, matrix, pairs));
@@ -27,7 +27,7 @@ static void assert_are(int count, const double *matrix, const double *expected, 
     }
 }
 
-TEST(of_a_triangle_they_are_on_the_diagonal) {
+TEST(eigenvalues_of_a_triangle_are_on_the_diagonal) {
     static const double matrix[] = {-3.0, 2.0, 9.0, 0.0, 0.5, 4.0, 0.0, 0.0, 1.0};
     static const double expected[] = {-3.0, 1.0, 0.5};
     static const double zeros[SIZE * SIZE] = {0.0};
@@ -37,7 +37,7 @@ TEST(of_a_triangle_they_are_on_the_diagonal) {
 }
 
 /* All of one size and apart by a sixth of a turn: no shift tells one from another, at first. */
-TEST(of_a_cycle_they_are_roots_of_unity) {
+TEST(eigenvalues_of_a_cycle_are_roots_of_unity) {
     double matrix[SIZE * SIZE] = {0.0}, pairs[2 * SIZE];
     bool met[SIZE] = {false};
     for (int i = 0; i < SIZE; ++i) {
@@ -55,7 +55,7 @@ TEST(of_a_cycle_they_are_roots_of_unity) {
 }
 
 /* (0.7 - x)^6 = 1e-12: a Jordan block whose corner is not quite 0, so that rounding counts for a lot. */
-TEST(of_a_nearly_defective_matrix_they_are_on_a_circle) {
+TEST(eigenvalues_of_a_nearly_defective_matrix_are_on_a_circle) {
     double matrix[SIZE * SIZE] = {0.0}, pairs[2 * SIZE], together = 0.0;
     for (int i = 0; i < SIZE; ++i) {
         matrix[SIZE * i + i] = 0.7;
@@ -159,7 +159,7 @@ TEST(a_factor_of_the_matrix_is_theirs) {
     assert_are(1, smallest, smallest, 0.0);
 }
 
-TEST(what_has_none_is_refused) {
+TEST(a_matrix_without_eigenvalues_is_refused) {
     static const double all_largest[] = {DBL_MAX, DBL_MAX, DBL_MAX, DBL_MAX};
     static const double bad[] = {NAN, INFINITY, -INFINITY};
     double matrix[(SIZE + 1) * (SIZE + 1)] = {1.0}, pairs[2 * SIZE + 2] = {7.0};

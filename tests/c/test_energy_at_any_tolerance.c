@@ -30,10 +30,10 @@ static tdmf_outcome run_and_check(const tdmf_parameters *p, const double state[T
     return outcome;
 }
 
-/* In flight, foot and body fly past each other so near that the leg turns by half a turn in next to no time:
- * what little angular momentum it has throws them apart, though at a loose tolerance it hardly showed before.
- */
-TEST(of_legs_that_nearly_vanish) {
+/* In flight, foot and body fly past each other so closely that the leg turns by half a turn in next to no
+ * time. Its small angular momentum throws them apart, though it was hardly resolved before at a loose
+ * tolerance. */
+TEST(legs_that_nearly_vanish_keep_the_ledger) {
     enum { RUNS = sample_of(2000) };
     random_source source = {21};
     int sound = 0;
@@ -56,9 +56,9 @@ TEST(of_legs_that_nearly_vanish) {
     assert_true(sound > RUNS / 2);
 }
 
-/* In flight under the closed clamp nothing turns it: a sum of exponentials, whose square, the damper's power,
- * has coefficients that fall later than theirs. */
-TEST(of_legs_that_do_not_turn) {
+/* In flight under the closed clamp the leg does not turn. Its length is a sum of exponentials. The damper's
+ * power is the square of such a sum, and its coefficients decrease later. */
+TEST(legs_that_do_not_turn_keep_the_ledger) {
     random_source source = {23};
     for (int i = 0; i < sample_of(500); ++i) {
         tdmf_parameters p = tdmf_default_parameters();
@@ -77,7 +77,7 @@ TEST(of_legs_that_do_not_turn) {
 
 /* A servo of any strength begins to place a leg, which has turned by 1e-9 at the end: as a difference of two
  * angles, each rounded, that is known to seven digits, and so would be the work. */
-TEST(of_servos_that_turn_a_leg_by_next_to_nothing) {
+TEST(servos_that_barely_turn_a_leg_keep_the_ledger) {
     const tdmf_inputs inputs = tdmf_default_inputs();
     random_source source = {24};
     for (int i = 0; i < sample_of(200); ++i) {

@@ -181,7 +181,7 @@ static crowd *special_crowd(void) {
     return crowd;
 }
 
-/* Who strides, who falls and who is given up. */
+/* Runners that stride, fall, and are given up. */
 TEST(each_runner_ends_as_by_the_native_solver) {
     static tdmf_ensemble_stride strides[SPECIAL];
     crowd *crowd = special_crowd();

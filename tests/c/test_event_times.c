@@ -23,7 +23,7 @@ static void start(simulation *run, const tdmf_parameters *parameters, double fri
 
 static void start_on_gait(simulation *run, const proved_gait *gait, double tolerance) {
     tdmf_parameters parameters = tdmf_default_parameters();
-    parameters.hip.swing_clamp = true; /* as it was proved */
+    parameters.hip.swing_clamp = true; /* the proof's setting */
     start(run, &parameters, gait->friction, tolerance, gait->apex);
 }
 

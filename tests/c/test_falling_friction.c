@@ -18,7 +18,7 @@
 
 /* dv = -mu(v) dP, integrated by an independent program. */
 typedef struct {
-    double speed_before, normal_speed, friction, ratio, velocity; /* of the law: v_s */
+    double speed_before, normal_speed, friction, ratio, velocity; /* `velocity` is v_s */
     double speed_after, stopped;                                  /* up to which it comes to rest */
 } reference_impact;
 
@@ -68,7 +68,7 @@ TEST(impacts_are_those_of_the_integral) {
     }
 }
 
-/* What friction takes of the foot's kinetic energy is impact loss. */
+/* Kinetic energy of the foot that friction dissipates at an impact is impact loss. */
 TEST(an_impact_loses_what_the_foot_does) {
     for (int i = 0; i < IMPACTS; ++i) {
         const reference_impact *law = &reference_impacts[i];

@@ -13,7 +13,7 @@ typedef struct {
     int order;
 } polynomial;
 
-/* On [0, 1], going on where a search takes too long. */
+/* First root in [0, 1]; a search that stops early is resumed. */
 static double root_of(const polynomial *p) {
     root found = {0.0, 0, 0.0};
     for (int i = 0; i < 1000 && !found.is_root && found.time < 1.0; ++i) {
@@ -47,7 +47,7 @@ static double product(double c, const double *roots, int count, double t) {
     return value;
 }
 
-/* What rounding of the coefficients may do to a value on [0, 1]. */
+/* Bound on the rounding error of a value on [0, 1], from the coefficients. */
 static double rounding_of(const double *roots, int count) {
     double size = 1.0;
     for (int i = 0; i < count; ++i) {
@@ -103,7 +103,7 @@ TEST(a_double_root_ends_the_search) {
     assert_true(found == INFINITY || fabs(found - 0.5) < 1e-5);
 }
 
-TEST(what_is_due_at_once_is_found_at_once) {
+TEST(a_root_at_the_start_is_found_at_once) {
     const polynomial p = {{-1.0, 5.0, 0.0, 0.0}, 3};
     assert_true(root_of(&p) == 0.0);
     const polynomial nothing = {{NAN, 0.0, 0.0, 0.0}, 3};

@@ -48,8 +48,8 @@ static double slope_of_almost_touching(double z) {
     return 1.0 + 2.0 * z;
 }
 
-/* By 1e-8 there is none; in units of 1e4 that is rounding. */
-TEST(what_only_comes_near_is_no_fixed_point) {
+/* The map misses a fixed point by 1e-8, which is rounding in units of 1e4. */
+TEST(a_near_miss_is_no_fixed_point) {
     const line_map f = {almost_touches, slope_of_almost_touching};
     const tdmf_fixed_point none = find(f, 1.0, 0.1);
     assert_int_equal(none.outcome, TDMF_FIXED_POINT_NOT_FOUND);
@@ -80,7 +80,7 @@ static double not_a_number(double z) {
     return z * (double)NAN;
 }
 
-TEST(what_is_not_a_number_is_no_fixed_point) {
+TEST(nan_is_no_fixed_point) {
     const line_map f = {not_a_number, cos};
     assert_int_equal(find(f, 1.0, 1.0).outcome, TDMF_FIXED_POINT_NOT_FOUND);
 }

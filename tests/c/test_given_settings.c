@@ -1,5 +1,5 @@
-/* Which row of the settings that are given a stride is made with, and where a run goes on: what an array has
- * beside a row is another runner's, so a wrong row is another stride. */
+/* Rows of given settings: the row of each stride, and the row at which a run goes on. The neighbours of a row
+ * belong to other runners, so a wrong row makes another stride. */
 #include "compare.h"
 #include "crowd.h"
 #include "simulation.h"
@@ -79,13 +79,13 @@ TEST(a_run_that_has_made_its_strides_makes_no_more) {
 }
 
 /* It drops onto a leg that is put upright, or from the second apex on onto one that is almost level. */
-TEST(who_has_fallen_stands_nowhere) {
+TEST(a_fallen_runner_has_no_checkpoint) {
     for (int row = 0; row < ROWS; ++row) {
         crowd *crowd = gather(0, 1);
         values[FALLS][row] = row == 0 ? 0.2 : 1.5;
         crowd->starts[FALLS][TDMF_SECTION_COM_SPEED] *= row;
         for (int i = 0; i < RUNNERS; ++i) {
-            crowd->checkpoints[i].stands = true; /* as an earlier run may have left it */
+            crowd->checkpoints[i].stands = true; /* an earlier run may have left it set */
         }
         run_crowd(crowd, TDMF_BEST_INSTRUCTIONS);
         assert_true(crowd->checkpoints[0].stands);

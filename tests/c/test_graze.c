@@ -59,7 +59,7 @@ TEST(a_leg_that_passes_upright_in_graze_ends_its_drive) {
     assert_slips_after_mid_stance(&log);
 }
 
-TEST(by_cvode_too) {
+TEST(cvode_passes_upright_in_graze) {
     if (!tdmf_cvode_is_available()) {
         skip();
     }
@@ -67,7 +67,7 @@ TEST(by_cvode_too) {
     assert_slips_after_mid_stance(&log);
 }
 
-TEST(and_by_whoever_integrates_the_equations) {
+TEST(an_outer_integrator_passes_upright_in_graze) {
     runner runner = runner_that_passes_upright();
     while (runner.motion.mode.contact == TDMF_CONTACT_GRAZE) {
         assert_true(runner_advance(&runner, 1e-3) && runner.motion.time < 0.1);

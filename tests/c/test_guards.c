@@ -5,7 +5,7 @@
 #include <math.h>
 
 static const double margin = TDMF_GUARD_MARGIN;
-static const double dead_band = 1e-10; /* of quantities that may settle at zero: clamp, rate of force */
+static const double dead_band = 1e-10; /* for quantities that may settle at zero: clamp, rate of force */
 
 /* Puts the guarded quantity, in units of its scale, to `distance` from its event. */
 typedef void (*placement)(runner *runner, double distance);

@@ -97,7 +97,7 @@ TEST(a_touch_that_turns_back_is_found) {
 /* A leg without a servo spins for ever at the rate at which its spring holds the masses together, and long
  * steps would do, but for the foot's height, which is a sine of it. */
 typedef struct {
-    double com_y, drop, gravity, angle, rate; /* of the foot below the center of mass, and of the spin */
+    double com_y, drop, gravity, angle, rate; /* the foot's drop below the centre of mass, and the spin */
 } spinning_fall;
 
 static double foot_height(const spinning_fall *fall, double t) {
@@ -278,7 +278,7 @@ TEST(requests_without_sense_are_refused) {
         assert_refused(&runner, 1e-9, sound, rates[1], 30.0);
     }
     const tdmf_inputs leaving[] = {{.ground.friction = 1e5}, {.hip.external_torque = 1e17}};
-    assert_refused(&runner, 1e-9, sound, leaving[0], 30.0); /* by then out of range */
+    assert_refused(&runner, 1e-9, sound, leaving[0], 30.0); /* out of range at that time */
     assert_refused(&runner, 1e-9, sound, leaving[1], 30.0);
     assert_refused(&runner, 1e-9, sound, no_rates, NAN);
     assert_refused(&runner, 1e-9, sound, no_rates, 0.5);

@@ -21,7 +21,7 @@ typedef struct {
 /* A runner at its start, and what its inputs do. */
 typedef struct {
     tdmf_model model;
-    change changes[CHANGES + 1]; /* of the last, the time: there the run ends */
+    change changes[CHANGES + 1]; /* the run ends at the time of the last one */
     tdmf_motion motion;
 } case_of_run;
 
@@ -93,7 +93,7 @@ static case_of_run random_case(random_source *source) {
     return it;
 }
 
-/* Whether one more call has brought the run to `until`, or to its end. */
+/* Calls the solver once more. True if the run has reached `until` or its end. */
 static bool go_on(const case_of_run *it, const change *at, double until, tdmf_solver *solver,
                   tdmf_motion *motion) {
     const tdmf_inputs inputs = tdmf_inputs_after(&at->inputs, &at->rates, motion->time - at->time);
@@ -153,7 +153,7 @@ static void assert_same_record(const tdmf_record *a, const tdmf_record *b) {
     assert_close(a->last_event_time, b->last_event_time, 1e-8);
 }
 
-/* On the plain page, too, if that suits the runner. */
+/* Asserts that the page writes a motion back, and that the plain page does if it suits the runner. */
 static void assert_is_written_back(const case_of_run *it, const change *at, const tdmf_motion *motion) {
     const tdmf_inputs inputs = tdmf_inputs_after(&at->inputs, &at->rates, motion->time - at->time);
     const tdmf_system system = {&it->model, &inputs};

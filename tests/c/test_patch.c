@@ -223,7 +223,7 @@ TEST(each_stride_is_differentiated_by_foot_x_and_patch) {
     assert_true(moved_by_foot_x >= 4 && moved_by_patch >= 8);
 }
 
-/* Where no border is crossed, the stride goes with its place. */
+/* A stride that crosses no border is shifted with its start. */
 TEST(without_a_crossing_foot_x_is_carried_along) {
     scene_of_stride scene = {tdmf_default_parameters(), tdmf_default_inputs(), {0.0}};
     double by_foot_x[COORDINATES];
@@ -298,8 +298,8 @@ static const double shifts[SHIFTS] = {-1e-5, -1e-7, -1e-9, -1e-11, -1e-13, -1e-1
                                       1e-15, 1e-13, 1e-11, 1e-9,   1e-7,   1e-5};
 static const double slip_ends_by = 0.2;
 
-/* Where a foot is that slips forward and comes to rest, its leg leaning by an angle, which pushes it on or
- * back, on ground of friction 1 with a slippery patch from `border` on. */
+/* Simulates a foot that slips forward and comes to rest, on friction 1 with a slippery patch from `border`
+ * on. The leg leans by an angle and pushes the foot on or back. */
 static simulation slip_to_a_border(double angle, double border, bool by_cvode) {
     static const double speed = 0.02, length = 0.9;
     const double state[TDMF_STATE_COUNT] = {[TDMF_FOOT_VX] = speed,

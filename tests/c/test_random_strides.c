@@ -38,7 +38,8 @@ static void set_zero(random_source *source, double probability, double *value) {
     *value = random_chance(source, probability) ? 0.0 : *value;
 }
 
-/* From a copy of the source: all else is as it would be without. Every other runner stays on the level. */
+/* Draws from a copy of the source, so that the values drawn from the source itself are unchanged. Half of the
+ * runners stay on level ground. */
 static void choose_ground(random_source copy, tdmf_inputs *inputs) {
     if (random_chance(&copy, 0.5)) {
         inputs->ground.slope = random_uniform(&copy, -0.15, 0.1);
@@ -46,7 +47,7 @@ static void choose_ground(random_source copy, tdmf_inputs *inputs) {
     }
 }
 
-/* Of every other runner friction falls with speed: where v_s is 0, there is no derivative by it. */
+/* Friction falls with speed for half of the runners. The others have v_s = 0, without a derivative by it. */
 static void choose_friction(random_source copy, tdmf_parameters *p) {
     if (random_chance(&copy, 0.5)) {
         p->ground.stribeck_velocity = random_magnitude(&copy, 0.03, 1.0);
@@ -114,7 +115,7 @@ static bool happens_alike(const tdmf_event_log *a, const tdmf_event_log *b) {
     return alike;
 }
 
-/* Whether the value is the least of its parameter's range. */
+/* True if the value is the least of its parameter's range. */
 static bool is_least(int k, double value) {
     const size_t offset = (size_t)(k - TDMF_SECTION_COUNT) * sizeof(double);
     for (int i = 0; k >= TDMF_SECTION_COUNT && i < TDMF_PARAMETER_COUNT; ++i) {
@@ -199,7 +200,7 @@ static void assert_is_differentiated(const start *at, int k, const estimate *est
     }
 }
 
-/* How often what happened in a stride that was compared, and how often it was differentiated by a zero. */
+/* Counts of compared strides, of derivatives by a value of zero, and of events in them. */
 typedef struct {
     int compared, zeros, guards[TDMF_GUARD_COUNT];
     int drives_without_torque; /* left by a lift-off */

@@ -65,7 +65,7 @@ static tdmf_fate fate_of(tdmf_return_outcome outcome, bool first) {
     }
 }
 
-/* What the map makes of a runner. */
+/* Iterates the map from a start and returns the end of the run. */
 static tdmf_ensemble_end iterate(const tdmf_ensemble_case *its_case, const double start[TDMF_SECTION_COUNT]) {
     tdmf_ensemble_end end = {.gait = -1};
     tdmf_solver solver = solver_to(0.1 * tight);
@@ -153,7 +153,7 @@ TEST(neighbours_and_threads_do_not_matter) {
 
 /* ---- settling ----------------------------------------------------------------------------------------- */
 
-/* By the two coordinates that the map has: the leg of the gait that is given is anything. */
+/* Settling is decided by the map's two coordinates: the leg of the given gait may be anything. */
 TEST(runners_settle_on_the_gaits_of_the_reference) {
     for (int i = 0; i < REDUCED_GAITS; ++i) {
         const reduced_gait *gait = &reduced_gaits[i];

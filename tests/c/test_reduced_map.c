@@ -26,7 +26,7 @@ enum {
     GROUND_HEIGHT = TDMF_REDUCED_COUNT + PARAMETERS + offsetof(tdmf_inputs, ground.height) / sizeof(double)
 };
 
-/* What a stride depends on. */
+/* Parameters, inputs and apex that determine a stride. */
 typedef struct {
     tdmf_parameters parameters;
     tdmf_inputs inputs;
@@ -130,8 +130,8 @@ static void exact_derivatives(const apex_scene *scene, int k, double derivatives
     derivatives_of(&stride.variations[k < TDMF_REDUCED_COUNT ? k : TDMF_REDUCED_COUNT], derivatives);
 }
 
-/* What is allowed is `tolerance` of the largest, or of 1, and the error that differences have, 1e-13 of the
- * motion over the step. */
+/* Allows `tolerance` relative to the largest derivative, or to 1, and the error of the differences: 1e-13 of
+ * the motion over the step. */
 static void assert_differentiated(const apex_scene *scene, int k, double step, double tolerance) {
     const coordinate_line on = {*scene, k};
     double exact[RESULTS], differences[RESULTS], size = 1.0;
@@ -163,7 +163,7 @@ TEST(parameters_and_inputs_are_differentiated) {
             if (k == PATCH_BEGIN || k == PATCH_END) { /* the map has no patch */
                 continue;
             }
-            /* Nothing depends on where the ground is, so that its height may move far. */
+            /* The results do not depend on the ground's height, so the difference may move it far. */
             const double unit = k == GROUND_HEIGHT ? 100.0 : 0.01;
             assert_differentiated(&scene, k, 4e-5 * fmax(unit, fabs(*coordinate(&scene, k))), 1e-7);
         }
@@ -252,7 +252,7 @@ TEST(a_scaled_runner_makes_the_scaled_stride) {
     assert_true(compared > 100);
 }
 
-/* What an input adds to a setting does what the setting would do. */
+/* An input that adds to a setting has the effect of a change of the setting. */
 TEST(control_and_extension_are_settings) {
     apex_scene scene = at_gait(&reduced_gaits[2]), set = scene;
     scene.inputs.control.touchdown_angle = 0.05;
@@ -331,7 +331,7 @@ TEST(a_stride_closes_where_the_next_has_no_stance) {
     assert_int_equal(outcome_from(&scene), TDMF_RETURN_NO_START);
 }
 
-/* Nothing brings a runner down, or back, who is pushed up by his weight. */
+/* A runner that is pushed up by more than its weight neither lands nor returns. */
 TEST(a_runner_that_is_held_up_has_no_stride) {
     apex_scene scene = at_gait(&reduced_gaits[2]);
     const tdmf_parameters *p = &scene.parameters;
@@ -340,7 +340,7 @@ TEST(a_runner_that_is_held_up_has_no_stride) {
     assert_true(outcome == TDMF_RETURN_NO_TOUCHDOWN || outcome == TDMF_RETURN_REFUSED);
 }
 
-TEST(what_is_no_number_or_out_of_range_is_refused) {
+TEST(nan_and_values_out_of_range_are_refused) {
     static const double bad[] = {NAN, INFINITY, -INFINITY, 1e300};
     const apex_scene gait = at_gait(&reduced_gaits[2]);
     tdmf_seed seeds[TDMF_REDUCED_MAP_SEEDS + 1];

@@ -1,4 +1,4 @@
-/* What is refused, with which words, and that a refusal writes nothing. */
+/* Refusals: the values refused, the messages, and outputs left alone. */
 #include "compare.h"
 #include "scene.h"
 #include "simulation.h"
@@ -114,7 +114,7 @@ TEST(a_friction_may_fall_at_once_but_not_within_next_to_nothing) {
     tdmf_parameters parameters = tdmf_default_parameters();
     char text[256];
     parameters.body.mass = 80.0;
-    parameters.leg.stiffness = 20480.0; /* so that k/m is 256/s2 */
+    parameters.leg.stiffness = 20480.0; /* k/m is 256/s2 */
     parameters.leg.free_length = 0.5;
     parameters.ground.stribeck_velocity = 8.001e-11;
     tdmf_model model = accepted_model(&parameters);

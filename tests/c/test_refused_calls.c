@@ -471,7 +471,7 @@ TEST(ensembles_refuse_counts_without_arrays) {
     assert_int_equal(population.crowd->ends[RUNNERS - 1].strides, STRIDES);
 }
 
-/* So many threads could not even be counted. */
+/* INT_MAX threads could not be started, nor their memory be computed. */
 TEST(threads_are_no_more_than_runners) {
     tdmf_ensemble_work work;
     crowd *crowd = make_crowd(RUNNERS, STRIDES, 1e-9);

@@ -68,8 +68,8 @@ TEST(a_light_foot_on_a_damped_leg_has_the_jacobian_of_the_map) {
     assert_close(trace, 0.897504 - 0.276227, 2e-6);
 }
 
-/* With a coarse solver the series find a touchdown where the model still sees the foot above the ground: it
- * is differentiated when it is taken. */
+/* With a coarse solver the series find a touchdown before the model's foot has reached the ground. The event
+ * is differentiated at the time at which it is taken. */
 TEST(derivatives_are_as_good_as_the_strides) {
     enum { STRIDES = sample_of(1000) };
     random_source source = {23};
@@ -110,7 +110,7 @@ static bool is_zero(const void *bytes, size_t size) {
     return zero;
 }
 
-TEST(what_did_not_happen_or_was_not_asked_for_is_zero) {
+TEST(results_that_are_absent_or_not_requested_are_zero) {
     scene_at_apex scene = at_gait(&reference_gaits[DEFAULT_GAIT]), high = scene;
     const tdmf_return plain = stride_of(&scene, false, NULL);
     tdmf_solver solver = tdmf_solver_default();
@@ -189,7 +189,7 @@ TEST(gaits_are_found_to_rounding) {
     assert_int_equal(jacobians, REFERENCE_GAITS - PUBLISHED_GAITS);
 }
 
-TEST(what_is_no_gait_is_said_to_be_none) {
+TEST(a_search_without_a_gait_reports_none) {
     static const struct {
         double height;
         tdmf_orbit_outcome outcome;
@@ -207,7 +207,7 @@ TEST(what_is_no_gait_is_said_to_be_none) {
     }
 }
 
-/* Neither trouble of the solver nor a stand is a fall. */
+/* Solver failures and a standing runner are not falls. */
 TEST(only_a_fall_is_called_one) {
     scene_at_apex scene = at_gait(&reference_gaits[DEFAULT_GAIT]);
     for (int limit = 0; limit < 3; ++limit) {
@@ -276,7 +276,7 @@ TEST(linear_systems_are_solved) {
     assert_false(tdmf_solve_linear(2, singular, b));
 }
 
-/* On a slope, which the height is taken from. */
+/* The ground is sloped; a section measures height from it. */
 TEST(a_section_comes_back_from_its_state) {
     const double section[TDMF_SECTION_COUNT] = {1.8, 1.25, 0.97, 0.9, -0.02, 0.3};
     const tdmf_parameters parameters = tdmf_default_parameters();

@@ -37,8 +37,8 @@ static double step(int i) {
     return tdmf_ground_step(20261122u + (uint64_t)(i % 7), (uint64_t)(i % 1000) << 24, (uint32_t)(i / 1000));
 }
 
-/* By moments up to the sixth: 0, 1, 0, 3, 0, 15, whose estimates have the variances 1, 2, 15, 96, 945, 10170
- * over the number of steps. */
+/* The moments up to the sixth are 0, 1, 0, 3, 0, 15. Their estimates have the variances 1, 2, 15, 96, 945,
+ * 10170 divided by the number of steps. */
 TEST(steps_have_the_moments_of_a_normal_distribution) {
     static const double moments[] = {0.0, 1.0, 0.0, 3.0, 0.0, 15.0};
     static const double variances[] = {1.0, 2.0, 15.0, 96.0, 945.0, 10170.0};
@@ -56,7 +56,7 @@ TEST(steps_have_the_moments_of_a_normal_distribution) {
     }
 }
 
-/* At borders of whole numbers too, where the sampler puts its parts together, and in the tail. */
+/* The borders include whole numbers, where the sampler joins its pieces, and the tail. */
 TEST(steps_have_the_distribution_function_of_a_normal_one) {
     static const double borders[] = {-4.0, -3.0, -2.0, -1.5,  -1.0, -0.6, -0.01, 0.0,
                                      0.01, 0.3,  0.99, 1.001, 1.7,  2.0,  2.3,   3.5};
@@ -148,7 +148,7 @@ static void assert_same_strides(const tdmf_ensemble_end *end, const tdmf_motion 
     }
 }
 
-/* At the apices the foot hangs low and swings forward, and the steps are as high as that. */
+/* Runners whose foot hangs low and swings forward at the apex, over steps as high as the foot. */
 static crowd *gather_before_high_steps(double push) {
     random_source source = {11};
     crowd *crowd = make_crowd(RUNNERS, STRIDES, 1e-11);

@@ -89,7 +89,7 @@ TEST(a_ball_of_the_reduced_map_is_of_height_and_speed) {
     assert_in_range(settled_at_the_first(crowd, TDMF_REDUCED_COUNT), 4, RUNNERS);
 }
 
-/* What had not begun has not run; what stands goes on to the same end as if nothing had been. */
+/* Runners that had not begun have not run. Interrupted runners go on to the ends of an uninterrupted run. */
 TEST(a_stopped_run_goes_on_to_the_same_ends) {
     static const int stop = 1;
     crowd *whole = gather(), *stopped = gather();

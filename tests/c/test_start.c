@@ -9,7 +9,7 @@ static const double start_time = 3.0;
 
 static void start(runner *runner) {
     runner->motion.time = start_time;
-    runner->motion.record.event_count = 99; /* of an earlier run */
+    runner->motion.record.event_count = 99; /* left by an earlier run */
     runner->motion.record.stride.count = 99;
     assert_null(tdmf_start(SYSTEM_OF(runner), &runner->motion).variable);
     assert_true(runner->motion.mode.liftoff_angle == runner->motion.state[TDMF_LEG_ANGLE]);

@@ -22,7 +22,7 @@ static simulation start_at(const reference_gait *gait, double bend, double time,
     return run;
 }
 
-/* In seven calls of 16 s, which end at whole numbers, even at 1e17, the last after a few strides. */
+/* Runs seven calls of 16 s, which end at whole numbers even at 1e17; the last ends after a few strides. */
 static void run_on(solver_call *advance, simulation *run) {
     const double start = run->motion.time;
     run->rates = (tdmf_inputs){.ground.friction = 1e-4, .hip.external_torque = 1e-5};
@@ -89,7 +89,7 @@ TEST(instants_lose_nothing) {
     assert_close(tdmf_time_between(start, now), 0.0, 1e-17);
 }
 
-/* Where somebody sets the time anew, what rounding left out of the old one is gone with it. */
+/* A new time set by the caller replaces both the old time and its rounding remainder. */
 TEST(a_time_set_anew_is_taken_as_it_is) {
     simulation run = start_at(&reference_gaits[DEFAULT_GAIT], 0.0, 1.7e9, 1e-11);
     simulation_stride(&run);

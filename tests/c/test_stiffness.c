@@ -109,7 +109,7 @@ TEST(cvode_takes_stiff_runners) {
     }
     const tdmf_parameters parameters = stiff_parameters(0);
     runner runner = runner_of(&parameters);
-    runner.motion.state[TDMF_LEG_ANGLE] = 1.2; /* so much damping holds it there: the foot stays in the air */
+    runner.motion.state[TDMF_LEG_ANGLE] = 1.2; /* strong damping holds it there: the foot stays in the air */
     simulation run = simulation_of(&runner, 1e-11);
     assert_int_equal(simulation_advance_by(tdmf_cvode_advance, &run, 100.0), TDMF_ARRIVED);
     assert_close(simulation_ledger_error(&run), 0.0, 1e-8);

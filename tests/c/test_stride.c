@@ -41,7 +41,7 @@ static void land(runner *runner, double time) {
     assert_int_equal(runner->motion.mode.contact, TDMF_CONTACT_STICK);
 }
 
-/* From stick, loses its grip; the leg ahead or behind decides which way. */
+/* Makes a sticking foot slip; the leg's angle, ahead or behind, decides the direction. */
 static void slip(runner *runner, double time, double sign) {
     runner->motion.state[TDMF_LEG_ANGLE] = sign * 0.3;
     put_on_ground(runner, 0.1);
@@ -50,7 +50,7 @@ static void slip(runner *runner, double time, double sign) {
     assert_true(tdmf_sign_of_slip(&runner->motion.mode) == sign);
 }
 
-/* From slip, finds its grip again. */
+/* Makes a slipping foot stick. */
 static void stick(runner *runner, double time) {
     runner->motion.state[TDMF_FOOT_VX] = -1e-9 * tdmf_sign_of_slip(&runner->motion.mode);
     runner->inputs.ground.friction = 1000.0;
@@ -198,7 +198,7 @@ TEST(slip_distance_adds_up_both_ways) {
     slip(&runner, 4.0, -1.0);
     runner.motion.state[TDMF_FOOT_X] -= 0.125;
     lift_off(&runner, 5.0);
-    runner.motion.state[TDMF_FOOT_X] += 0.5; /* in flight it doesn't count */
+    runner.motion.state[TDMF_FOOT_X] += 0.5; /* not counted, because the foot is in flight */
     reach_apex(&runner, 6.0);
     assert_close(runner.motion.record.stride.slip_distance, 0.375, 1e-15);
 }
@@ -230,7 +230,7 @@ TEST(stride_that_covers_no_ground_has_no_cost) {
     assert_true(runner.motion.record.stride.cost_of_transport == 0.0);
 }
 
-/* What a dense sampling of one stride sees. */
+/* Results of a dense sampling of one stride. */
 typedef struct {
     double largest_force, largest_vertical_force, stance_time, slip_distance;
     double com_x[2], work[2], positive_work[2], time[2];
@@ -243,7 +243,7 @@ static void sample(sampling *seen, const runner *runner, int end) {
     seen->time[end] = runner->motion.time;
 }
 
-/* In the mode that ends, or in the one that goes on or begins. */
+/* Samples the contact force in `mode`: the mode that ends, goes on or begins. */
 static void sample_force(sampling *seen, const runner *runner, const tdmf_mode *mode) {
     tdmf_motion motion = runner->motion;
     motion.mode = *mode;
@@ -296,8 +296,8 @@ TEST(quantities_agree_with_a_dense_sampling) {
     }
 }
 
-/* On a slope the vertical force is another than that across the ground, and peaks at another time; where the
- * foot comes to rest it jumps. */
+/* On a slope the vertical force differs from the normal force and peaks at another time. It jumps when the
+ * foot comes to rest. */
 TEST(both_peaks_of_the_force_are_found_on_a_slope) {
     static const double slopes[] = {-0.14, -0.05, 0.02, 0.05};
     static const double frictions[] = {10.0, 0.6, 0.2};

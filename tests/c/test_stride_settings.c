@@ -21,17 +21,17 @@ static const double low[SETTINGS] = {0.693, 0.1985, 0.57};
 static const double high[SETTINGS] = {0.707, 0.2015, 0.63};
 static const uint64_t seed = 20261122;
 
-/* What acts at the apex itself: on the ground that is in force, and on the work of the leg. */
+/* Settings that act at the apex itself: on the ground that is in force, and on the work of the leg. */
 static const char *const at_once[SETTINGS] = {"ground.height", "leg.extension", "ground.slope"};
 static const double at_once_low[SETTINGS] = {-0.3, -0.02, -1e-3};
 static const double at_once_high[SETTINGS] = {0.3, 0.02, 1e-3};
 
-/* A crowd of one case, and what it may be given. */
+/* A crowd of one case, and the settings that it may be given. */
 typedef struct {
     crowd *crowd;
     tdmf_ensemble *ensemble;
     tdmf_ensemble_case *its_case;
-    bool acts_at_once; /* what is given */
+    bool acts_at_once; /* the given settings act at the apex */
     int settings[SETTINGS];
     tdmf_affine_law law;
     double values[RUNNERS][STRIDES][SETTINGS];
@@ -134,11 +134,11 @@ static void assert_recorded(const tdmf_ensemble_stride *recorded, const tdmf_mot
 /* The strides of a runner by the native solver. */
 typedef struct {
     int begun, closed;
-    double values[STRIDES][SETTINGS], heights[STRIDES]; /* of the strides that began */
-    tdmf_motion motions[STRIDES];                       /* at the ends of those that closed */
+    double values[STRIDES][SETTINGS], heights[STRIDES]; /* one for each stride begun */
+    tdmf_motion motions[STRIDES];                       /* ends of closed strides */
 } strides_by_hand;
 
-/* By the native solver, with model and inputs set at each apex. */
+/* Runs strides by the native solver, with model and inputs set at each apex. */
 static void stride_by_hand(const population *population, int number, strides_by_hand *by_hand) {
     const tdmf_ensemble_rules *rules = &population->its_case->rules;
     tdmf_solver solver = solver_to(population->ensemble->relative_tolerance);
@@ -403,7 +403,7 @@ TEST(strides_of_the_reduced_map_are_those_of_its_settings) {
 
 /* ---- noise -------------------------------------------------------------------------------------------- */
 
-/* By itself means that products of neighbours, and of noise and steps of one seed, have the mean 0. */
+/* Independent noise: products of neighbours, and of noise and steps of one seed, have the mean 0. */
 TEST(noise_is_normal_and_drawn_by_itself) {
     enum { DRAWS = sample_of(100000) };
     double square = 0.0, by_step = 0.0, by_coordinate = 0.0, by_stride = 0.0;
@@ -508,11 +508,11 @@ TEST(refuses_settings_that_are_none) {
     assert_crowd_is_refused(population->crowd);
     population->values[3][2][0] = angle;
     run_crowd(population->crowd, population->ensemble->instructions);
-    population->its_case->rules.law = &population->law; /* which sets the same */
+    population->its_case->rules.law = &population->law; /* the law sets the same settings */
     assert_crowd_is_refused(population->crowd);
     population->its_case->rules.law = NULL;
     population->ensemble->goes_on = true;
-    population->ensemble->checkpoints = NULL; /* from nowhere */
+    population->ensemble->checkpoints = NULL; /* no run to go on from */
     assert_crowd_is_refused(population->crowd);
     population->ensemble->goes_on = false;
     population->settings[2] = tdmf_setting_of("ground.height");

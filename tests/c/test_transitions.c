@@ -29,7 +29,7 @@ static tdmf_resolution resolve(runner *runner, int events) {
     return resolution;
 }
 
-/* As resolve, and asserts the mode that is entered. */
+/* Resolves events and asserts the mode that is entered. */
 static tdmf_resolution enter(runner *runner, int events, int contact, int phase) {
     const tdmf_resolution resolution = resolve(runner, events);
     scene_assert_mode(runner, (tdmf_contact_mode)contact, (tdmf_hip_phase)phase);
@@ -135,7 +135,7 @@ TEST(upright_foot_flies_where_it_is_pulled_up_and_stays_without_load_at_rest) {
 }
 
 /* The units are k l0, here 10^4, and sqrt(m/k), here 0.01. */
-TEST(what_counts_as_no_load_and_as_rest_scales) {
+TEST(thresholds_of_load_and_rest_scale) {
     tdmf_parameters parameters = tdmf_default_parameters();
     parameters.leg.stiffness = 1e4;
     runner unloaded = scene_on_ground(TDMF_CONTACT_STICK, 0.0, 0.0);
@@ -272,7 +272,7 @@ TEST(clamp_opens_and_closes_uncounted) {
 
 static runner lifting_off(double angle_rate, double com_vy) {
     runner runner = scene_on_ground(TDMF_CONTACT_STICK, -0.45, 0.0);
-    runner.motion.mode.liftoff_angle = 0.9; /* of an earlier stance */
+    runner.motion.mode.liftoff_angle = 0.9; /* left by an earlier stance */
     runner.motion.state[TDMF_LEG_ANGLE_RATE] = angle_rate;
     scene_set_com_vy_by_leg(&runner, com_vy);
     scene_set_vertical_force(&runner, beyond);
@@ -299,8 +299,8 @@ TEST(lift_off_goes_by_the_law_of_flight) {
     }
 }
 
-/* Where both laws agree up to rounding a graze has next to no width, and the foot leaves it at once; a gain
- * of the hip sets how far they differ: the flight law loads the foot by kd |thetadot| sin(0.45) / r. */
+/* Laws that agree up to rounding leave a graze next to no width, and the foot leaves it at once. A gain of
+ * the hip sets their difference: the flight law loads the foot by kd |thetadot| sin(0.45) / r. */
 TEST(lift_off_into_graze_needs_laws_that_differ) {
     static const double gains[] = {0.0, 1e-12, 1e-10, 1e-6};
     for (int i = 0; i < 4; ++i) {

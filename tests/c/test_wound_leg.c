@@ -71,8 +71,8 @@ TEST(wound_legs_run_until_they_fall) {
     assert_true(ended[TDMF_FELL] > RUNS / 15 && ended[TDMF_ARRIVED] > RUNS / 15);
 }
 
-/* Of the default runner, from an apex with the leg at 0.3 rad; the works after 100 s in flight by SciPy's
- * DOP853 at 3e-14 on the equations of the two masses alone, split where torque or rate change their signs. */
+/* The default runner starts from an apex with the leg at 0.3 rad. SciPy's DOP853 at 3e-14 has integrated the
+ * two masses in flight for 100 s, split where torque or rate change their signs. */
 TEST(a_whirling_leg_has_the_positive_work_of_an_independent_integration) {
     static const struct {
         double height, length, length_rate, angle_rate, positive_work, work;
