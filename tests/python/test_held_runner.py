@@ -97,6 +97,13 @@ def structure(system):
     return etree.fromstring(re.sub(rb' xmlns:\w+="[^"]*"', b"", content), etree.XMLParser(recover=True))
 
 
+def test_omsimulator_finds_a_master_of_fixed_steps(structure):
+    (master,) = structure.iter("oms:FixedStepMaster")
+    assert master.get("description") == "oms-ma" and float(master.get("stepSize")) == STEP
+    (annotation,) = structure.iter("ssc:Annotation")
+    assert annotation.get("type") == "org.openmodelica"
+
+
 def followers(system, structure, group):
     """(element, variable) -> what follows it at once, by connections and by what units declare of inputs."""
     edges = {}
@@ -150,6 +157,11 @@ def test_the_controller_s_angle_follows_from_no_input_but_by_a_step(system, tmp_
         angles += controller.getReal([references["touchdown_angle"]])
     controller.freeInstance()
     assert angles == pytest.approx([0.0, 0.0, 0.05, 0.05, -0.04], abs=1e-15)
+
+
+def test_the_speed_is_held(example):
+    """Without the controller the speed stays 1.0609."""
+    assert example.by_communication(STEP, 400.0)[-1][3] == pytest.approx(example.WANTED_SPEED, abs=1e-4)
 
 
 def test_waiting_for_a_communication_point_costs_in_proportion_to_the_step(example):

@@ -17,6 +17,7 @@ from live_pages import (
     eigenvalues,
     find,
     find_gait,
+    hint,
     js,
     open_page,
     paint,
@@ -34,6 +35,7 @@ from live_pages import (
 from selenium.webdriver.common.by import By
 from selenium.webdriver.support.select import Select
 from tdmf_slip.analysis.ball import fates
+from tdmf_slip.analysis.basin import range_around
 from tdmf_slip.library.engine import FATES
 from tdmf_slip.library.members import INPUTS, PARAMETERS, names_of
 from tdmf_slip.pictures import style
@@ -132,10 +134,13 @@ def test_a_run_on_a_gait_has_its_numbers(page):
     assert value_shown(page, "numbers", "word") == gait.word == "+0+"
     assert close(value_shown(page, "numbers", "stride.speed"), gait.stride["speed"])
     assert close(value_shown(page, "numbers", "stride.cost_of_transport"), gait.stride["cost_of_transport"])
+    fields = "[...document.querySelectorAll('.numbers dd')]"
+    beyond = js(page, f"{fields}.map((field) => field.scrollWidth - field.clientWidth)")
+    assert len(beyond) >= 16 and max(beyond) <= 0  # no number is cut off
 
 
 def closes(ledger):
-    """Whether what went in is what was lost and what is left."""
+    """True if all works less all losses equal the change of energy."""
     losses = sum(value for name, value in ledger.items() if name.endswith("_loss"))
     work = sum(value for name, value in ledger.items() if name.endswith("work"))
     assert losses > 0.1
@@ -156,6 +161,9 @@ def test_the_ledger_of_a_stride_closes_also_where_inputs_and_settings_jump_in_it
     assert int(value_shown(used_page, "numbers", "stride.count")) == strides + 1
     ledger = js(used_page, "tdmfSlip.run.lastLedger")
     assert closes(ledger) and ledger["leg.work"] > 1e-3
+    used_page.execute_script("tdmfSlip.set('body.mass', 1.01)")  # which changes the energy by no work
+    used_page.execute_script("tdmfSlip.player.advanceBy(() => tdmfSlip.run.advance(24))")
+    assert js(used_page, "tdmfSlip.run.lastLedger") is None
 
 
 @pytest.mark.on_phone
@@ -187,6 +195,22 @@ def test_the_curve_over_the_friction_is_the_librarys(page):
         assert point["gait"]["word"] == gait.word
         assert close(point["gait"]["stride"]["stride.speed"], gait.stride["speed"])
         assert abs(abs(complex(*point["gait"]["eigenvalues"][0])) - gait.lambda_max) < EQUAL
+
+
+def test_a_region_around_the_gait_is_the_command_s_until_a_value_changes(page):
+    find_gait(page)
+    Select(find(page, "region-width")).select_by_value("1")
+    Select(find(page, "region-points")).select_by_visible_text("32")
+    paint(page)
+    region, gait = js(page, "tdmfSlip.gaits.region.read"), tdmf_slip.find_gait()
+    for axis, values in zip(region["axes"], (region["rows"], region["columns"]), strict=True):
+        assert [values[0], values[-1]] == pytest.approx(range_around(gait, axis), rel=1e-5)
+    assert js(page, "tdmfSlip.gaits.region.map.outdated") is None
+    outdated, said = page.execute_script(
+        "tdmfSlip.set('ground.friction', 0.5);"
+        f"return [tdmfSlip.gaits.region.map.outdated, {hint('region-hint')}]"
+    )
+    assert outdated is True and "other values" in said
 
 
 def test_every_cell_of_a_painted_region_is_the_librarys(page):
@@ -256,6 +280,9 @@ def test_an_address_shows_the_same_runner(driver, address):
     said = urllib.parse.parse_qs(js(driver, "location.hash.slice(1)"))
     assert said.pop("body.mass") == ["1.25"] and said.pop("ground.friction") == ["0.3"]
     assert said.keys() == {"hip.touchdown_angle", "leg.angle"}
+    driver.execute_script("location.hash = '#gait-title'")  # a place on the page is no runner
+    wait(driver, "location.hash === '#gait-title'", "the address")
+    assert sentence(driver) == "" and js(driver, "tdmfSlip.state.values['ground.friction']") == 0.3
 
 
 def test_the_clamp_of_the_swing_is_a_checkbox(page, address):
@@ -302,7 +329,7 @@ def test_a_fall_and_a_runner_too_stiff_are_told(driver, address):
 
 
 def changes_within(page, body, events):
-    """Whether contact or phase change within so many events: some, as the clamp's, change neither."""
+    """True if contact or phase change within so many events; events of the clamp change neither."""
     for _ in range(events):
         body.send_keys("e")
         if js(page, "tdmfSlip.run.outputs['event.last_time'] === tdmfSlip.run.time"):

@@ -1,4 +1,4 @@
-"""What a person does on the live page and sees of it: first pictures, presets, regions, races."""
+"""The live page in use: first pictures, presets, regions, races."""
 
 import math
 
@@ -20,6 +20,7 @@ from live_pages import (
     sentence,
     show,
     show_curve,
+    type_value,
     wait,
 )
 from selenium.webdriver.common.action_chains import ActionChains
@@ -221,6 +222,31 @@ def test_both_ends_of_every_slider_and_every_preset_are_within_what_the_core_acc
     )
     assert len(tried) > 300
     assert [row for row in tried if not all(row[2:])] == []
+    type_value(used_page, "body.external_fx", "-5")  # which is beyond the slider's reach
+    control = "tdmfSlip.controls.all.get('body.external_fx')"
+    low, high, value = js(used_page, f"[{control}.reach.low, {control}.reach.high, {control}.sliderValue()]")
+    assert low < -5 < high and value == pytest.approx(-5, rel=0.02)
+
+
+def test_a_filter_shows_the_parameters_that_it_names(used_page):
+    visible = "[...document.querySelectorAll('.control:not([hidden]) input[type=text]')].map((f) => f.name)"
+    field = find(used_page, "filter")
+    center(used_page, field)
+    field.send_keys("mass")
+    names = js(used_page, visible)
+    assert {"body.mass", "foot.mass"} <= set(names) and len(names) < 12
+    field.send_keys(Keys.BACKSPACE * 4)
+    assert len(js(used_page, visible)) > 30
+
+
+def test_the_pace_says_how_fast_it_is(used_page):
+    """The full pace is that of 80 kg on a spring of 20 kN/m; the other one slows stances."""
+    full = math.sqrt(20000 / 80)
+    Select(find(used_page, "pace")).select_by_value("full")
+    assert find(used_page, "pace-text").text == f"each second shows {full:.3g} √(m/k) of the run"
+    Select(find(used_page, "pace")).select_by_value("stance")
+    said = f"each second shows {full:.3g} √(m/k) of a flight, {full / 10:.3g} √(m/k) of a stance"
+    assert find(used_page, "pace-text").text == said
 
 
 def test_no_gait_blames_what_was_changed(driver, address):
@@ -229,6 +255,9 @@ def test_no_gait_blames_what_was_changed(driver, address):
     wait(driver, f"{hint('gait-hint')}.startsWith('No gait')", "the reason")
     text = find(driver, "gait-hint").text
     assert "friction" not in text and text.endswith("With ground.slope = 40°.")
+    driver.execute_script("tdmfSlip.choose({ name: 'ice', values: { 'ground.friction': 0 } })")
+    press(driver, "find")
+    wait(driver, f"{hint('gait-hint')}.includes('nothing fixes')", "the other reason")
 
 
 @pytest.mark.parametrize("end", [-50, 50], ids=["no patch", "patch"])
@@ -367,6 +396,8 @@ def test_what_is_changed_in_a_race_is_changed_for_both(page):
     assert len(works) == 2 and all(work < -1e-3 * 4 for work in works) and min(shifts) > 4
     page.execute_script("tdmfSlip.set('ground.friction', 0.3)")
     assert js(page, "tdmfSlip.race.frictions") == [0.3, 10]
+    page.execute_script("document.getElementById('restart').click(); tdmfSlip.player.play(false)")
+    assert js(page, f"{BOTH}.map((run) => run.time)") == [0, 0] and js(page, "tdmfSlip.race.on")
     page.execute_script("tdmfSlip.set('leg.angle', 1)")
     assert not js(page, "tdmfSlip.race.on")
 

@@ -189,6 +189,11 @@ def test_a_border_is_proved_where_another_program_proved_it(border):
     assert len(printed["box"]["centre"]) == len(printed["box"]["radii"]) == 7
 
 
+def test_no_border_is_proved_where_there_is_none():
+    proof = tdmf_slip.prove_border(0.6, digits=5, sides=False)
+    assert not proof.proved and "same" in proof.undecided["guard"]
+
+
 def test_the_sides_of_a_border_are_reported_with_their_words(border, proof):
     below, above = (
         replace(proof, word=word, values=border.values | {"ground.friction": Exact(Fraction(value))})

@@ -17,7 +17,7 @@ both_interfaces = pytest.mark.parametrize("interface", ["me", "cs"])
 
 
 def gap_of_ledger(table):
-    """What the energy has gained in each row beyond all works less all losses."""
+    """Change of energy in each row, less all works, plus all losses."""
     moved = {name: table[name] - table[name][0] for name in LEDGER}
     assert all(np.diff(table[name]).min() >= -1e-12 and moved[name][-1] > 0 for name in LOSSES)
     return moved["energy.total"] - moved["hip.work"] - moved["leg.work"] + sum(moved[name] for name in LOSSES)
@@ -120,7 +120,7 @@ def test_a_table_of_a_fixed_parameter_is_refused():
 
 
 def test_ice_under_a_sticking_foot_makes_it_slip_at_once():
-    """At friction 10 the foot sticks from touchdown at 11.9 on; the ice comes at 12.1."""
+    """The foot sticks at friction 10 from touchdown at 11.9 on; the ice comes at 12.1."""
     ice = {"ground.friction": ([0.0, 12.1, 12.1], [10.0, 10.0, 0.05])}
     table = run_unit(inputs=ice, variables=["contact.mode_index"], stop_time=12.3, output_interval=0.1).table
     assert table["contact.mode_index"][table["time"] < 12.1][-1] == 2  # sticks
@@ -128,8 +128,12 @@ def test_ice_under_a_sticking_foot_makes_it_slip_at_once():
 
 
 def test_external_torque_does_work_and_the_ledger_still_closes():
-    table = run_unit({"hip.external_torque": 0.01}, stop_time=60.0, variables=LEDGER).table
+    table, without = (
+        run_unit({"hip.external_torque": torque}, stop_time=60.0, variables=LEDGER).table
+        for torque in (0.01, 0.0)
+    )
     assert np.abs(gap_of_ledger(table)).max() < 1e-6
+    assert abs(table["hip.work"][-1] - without["hip.work"][-1]) > 1e-2
 
 
 # ---- thrust as the only drive ----------------------------------------------------------------------------
