@@ -49,7 +49,7 @@ def reading(what: str, given: object, allowed: str) -> Iterator[None]:
 
 
 def is_one_of(given: object, names: Container[str]) -> TypeGuard[str]:
-    """Whether something is one of some names; an array, which compares item by item, is none."""
+    """True for a text that is one of some names; an array, which compares item by item, is not."""
     return isinstance(given, str) and given in names
 
 
@@ -89,7 +89,7 @@ def number_of(given: object, unit: str = "") -> float | None:
 
 
 def _is_duration(given: object) -> bool:
-    """Whether something is a duration. Check it first, because NumPy's counts as an integer."""
+    """True for a duration. Check this first, because NumPy's durations count as integers."""
     return isinstance(given, np.timedelta64 | datetime.timedelta)
 
 

@@ -26,12 +26,12 @@ class LabelledRow(Protocol):
 
 
 def is_table(given: object) -> TypeGuard[Any]:
-    """Whether something is a table with named columns, as a DataFrame."""
+    """True for a table with named columns, such as a DataFrame."""
     return hasattr(given, "to_numpy") and hasattr(given, "columns")
 
 
 def is_series(given: object) -> TypeGuard[Any]:
-    """Whether something is a row of values, as a Series, with labels or without."""
+    """True for a row of values, such as a Series, with labels or without."""
     return hasattr(given, "to_numpy") and not hasattr(given, "columns")
 
 
@@ -95,7 +95,7 @@ def numbers_of(what: str, given: object, allowed: str = "numbers", unit: str = "
 
 
 def _is_masked(given: object) -> bool:
-    """Whether a masked value is anywhere in what is given."""
+    """True if the values contain a masked one anywhere."""
     if isinstance(given, np.ma.MaskedArray):
         return bool(np.ma.is_masked(given))
     return isinstance(given, list | tuple) and any(map(_is_masked, given))
@@ -122,7 +122,7 @@ def numbers_by(what: str, given: object, names: Sequence[str]) -> NDArray[np.flo
 
 
 def _has_labels(given: object) -> bool:
-    """Whether a Series has a label for each value; a list has a method of that name."""
+    """True for a Series with a label for each value. A list has a method called `index`, too."""
     return is_series(given) and hasattr(getattr(given, "index", None), "__iter__")
 
 

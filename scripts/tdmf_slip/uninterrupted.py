@@ -38,7 +38,7 @@ def stop_flag() -> Flag:
 
 
 def in_block() -> bool:
-    """Whether this thread runs one block of many, which leaves the other processors alone."""
+    """True if this thread runs one block of many, which must leave the other processors alone."""
     return getattr(_this_thread, "flag", None) is not None
 
 

@@ -70,7 +70,7 @@ class Library:
             names = {used.name.lower() for used in self.parsed.imports}
             assert names and {n for n in names if not n.startswith("api-ms-win-crt-")} <= SYSTEM[1]
         elif self.is_elf:
-            # On Arm the stack protector's guard is in the loader, which is the C library's own.
+            # The loader is part of the C library; on Arm it holds the stack protector's guard.
             known = {"libc.so.6", "libm.so.6", "libpthread.so.0", "ld-linux-aarch64.so.1"}
             assert set(self.parsed.libraries) <= known
             versions = [
@@ -111,7 +111,7 @@ def functions_of_fmi(headers, fmi):
 
 WINE = shutil.which("wine64", path=f"{os.environ['PATH']}:/usr/lib/wine")
 WINE_FOLDER = ROOT / "build/platforms/wine"
-"""What wine keeps of Windows, some 700 MB: made once, because that takes longer than any test."""
+"""Wine's copy of Windows, some 700 MB. It is made once, because that takes longer than any test."""
 QEMU = shutil.which("qemu-aarch64")
 ARM_LIBRARIES = pathlib.Path("/usr/aarch64-linux-gnu")
 

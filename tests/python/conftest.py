@@ -1,4 +1,4 @@
-"""What all tests of the unit share: the FMU, the reference gaits, and runs that start on a gait."""
+"""Fixtures and data that many tests share: the FMU, reference gaits, commands, environments, the site."""
 
 import contextlib
 import dataclasses
@@ -24,7 +24,7 @@ import xarray
 from tdmf_slip.cli.main import main
 
 RELEASE = os.environ.get("TDMF_SLIP_RELEASE") == "1"
-"""Whether every sample is taken in full and tests that take minutes run: `scripts/test --release`."""
+"""True in `scripts/test --release`: samples are taken in full, and tests that take minutes run."""
 release = pytest.mark.skipif(not RELEASE, reason="takes minutes: scripts/test --release")
 
 
@@ -53,7 +53,7 @@ def some_of(cases, count):
 
 @pytest.fixture(scope="session", autouse=True)
 def interrupts_are_heard():
-    """In the background of a shell they are ignored, also by whatever is started there."""
+    """Restores interrupts: a shell's background jobs, and the processes they start, ignore them."""
     signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
@@ -197,7 +197,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
 def succeed(*command, **options):
-    """What a command prints; it has to succeed."""
+    """Runs a command that has to succeed, and returns what it prints."""
     options = {"capture_output": True, "text": True, "timeout": HANGS, **options}
     done = subprocess.run(list(map(str, command)), **options)
     assert done.returncode == 0, done.stdout + done.stderr
@@ -286,7 +286,7 @@ class Environment:
         self.programs = folder / "bin"
 
     def install(self, package, path=None):
-        """With nothing on the PATH but the environment itself, unless `path` says otherwise."""
+        """Installs a package; only the environment itself is on the PATH unless `path` is given."""
         variables = {"PATH": path or str(self.programs), "HOME": str(self.folder)}
         if path is not None:
             variables |= {name: os.environ[name] for name in COMPILING if name in os.environ}
@@ -296,7 +296,7 @@ class Environment:
         return variables
 
     def python(self, *arguments):
-        """What the environment's Python prints, run far from the sources."""
+        """Output of the environment's Python, run far from the sources."""
         variables = {"PATH": str(self.programs), "HOME": str(self.folder)}
         return succeed(self.programs / "python", *arguments, env=variables, cwd=self.folder)
 

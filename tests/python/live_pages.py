@@ -129,7 +129,7 @@ def find(driver, ident):
 
 
 def press(driver, ident):
-    """By the script, so that it does not matter what is scrolled where."""
+    """Click an element after opening its group and scrolling to it."""
     driver.execute_script(
         "const group = arguments[0].closest('details'); if (group) { group.open = true; }"
         "arguments[0].scrollIntoView({block: 'center'})",

@@ -90,7 +90,7 @@ LANES = {2: ("TDMF_HAS_TWO_LANES", "")}
 if platform.machine().lower() in ("x86_64", "amd64"):
     LANES[4] = "TDMF_HAS_AVX2", "-mavx2"
     LANES[8] = "TDMF_HAS_AVX512", "-mavx512f -mavx512dq -mavx512vl -mprefer-vector-width=512"
-"""For each number of lanes, the macro that says that a build has them, and the compiler's flags."""
+"""Macro of a build with lanes, and the compiler's flags, by the number of lanes."""
 
 
 def compiler():
@@ -174,7 +174,7 @@ def digest():
 
 
 def texts_of(model):
-    """What decides the C that is derived from a model of a module."""
+    """Texts that determine the C derived from a model of a module."""
     file = Path(sys.modules[model.__module__].__file__)
     return [model.__qualname__, file.read_text(encoding="utf-8"), digest(), sorted(MARGINS.items())]
 

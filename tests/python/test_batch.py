@@ -171,7 +171,7 @@ def test_instructions_that_a_processor_has_not_are_refused(gaits, starts, monkey
 
 
 def test_a_stride_has_the_derivatives_of_differences(gaits):
-    """By the apex, parameters and inputs, more than one call of the library takes, also along a direction."""
+    """The derivatives are by more names than one call of the library takes, and along a direction."""
     gait, names = gaits[0], ["leg.stiffness", "leg.damping", "foot.mass", "gravity", "hip.kp", "hip.kd"]
     names += ["hip.stance_torque", "hip.touchdown_angle", "ground.friction", "leg.free_length"]
     along = {"leg.stiffness": 2.0, "ground.friction": 0.5}
@@ -217,7 +217,7 @@ def test_strides_that_do_not_close_are_not_numbers_and_say_why(gaits):
 
 
 def test_runners_of_a_batch_make_the_strides_of_each_alone(gaits):
-    """With values of their own, given as arrays, as a list of runners, and by `vary`."""
+    """Each runner has its own values, given as arrays, as a list of runners, and by `vary`."""
     friction, damping = [0.5, 0.6, 0.8], [0.19, 0.2, 0.21]
     values = {"ground.friction": friction, "leg.damping": damping}
     runners = [
@@ -236,7 +236,7 @@ def test_runners_of_a_batch_make_the_strides_of_each_alone(gaits):
 
 
 def test_steps_in_place_are_strides_of_a_run(gaits, starts):
-    """Of one runner and of many, with settings; after the last one nothing moves."""
+    """One runner and many are stepped with settings. Steps after the last setting change nothing."""
     angles = np.random.default_rng(3).uniform(0.6, 0.8, (50, 5))
     for apices, inputs in ((starts[:50], angles), (starts[0], angles[:1])):
         run = Batch(gaits[0], apices, inputs={"hip.touchdown_angle": inputs}).run(5, record=True)

@@ -84,7 +84,7 @@ def test_solvers_are_judged_by_the_gait_and_what_is_around_it():
 
 
 def test_nothing_is_timed_unless_all_solvers_agree(fmu, monkeypatch):
-    """By both readings: SciPy is told one without the clamp for the other, and differs."""
+    """SciPy is given the other reading of the clamp, and disagrees."""
     from benchmarks.peers import scipy_peer
 
     honest, timed = scipy_peer.Peer.__init__, []

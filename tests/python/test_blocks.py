@@ -128,7 +128,7 @@ def proved(how):
 
 @pytest.fixture(scope="module")
 def expected(gait):
-    """What each analysis gives without an executor, computed once."""
+    """Result of each analysis without an executor, computed once."""
     found = {}
 
     def result(name):
@@ -199,7 +199,7 @@ def test_no_thread_and_no_block_is_left_after_a_failure():
 
 @pytest.mark.parametrize("endless", ["engine", "gaits", "unit"])
 def test_what_computes_without_end_stops(gait, endless):
-    """In C, in a search and in a run of the unit, whoever asks for it."""
+    """Endless work in C, in a search, and in a run of the unit."""
 
     def compute(number):
         if number == 0:

@@ -122,7 +122,7 @@ def test_a_fold_that_is_not_there_is_refused():
 
 
 def test_faster_retraction_doubles_the_period():
-    """At 49.1 degrees per second the slope of the map passes -1. Without retraction there is no gait."""
+    """The slope of the map passes -1 at 49.1 degrees per second. Without retraction there is no gait."""
     assert classic_slip.fixed_points(math.radians(46.0)) == []
     slopes = [
         classic_slip.fixed_points(math.radians(46.0), retraction_rate=math.radians(rate))[0].slope
@@ -281,7 +281,7 @@ def test_friction_is_needed_where_the_leg_turns_back():
 
 
 def test_retraction_is_an_angle_that_depends_on_the_fall():
-    """In one step, a leg that retracts is a leg that is held at the angle in which it lands."""
+    """A leg that retracts makes the same step as one held at the angle at which it lands."""
     for rate in np.arange(-0.2, 0.7, 0.2):
         given = {"ground_slope": math.radians(6)}
         made = step(slip(math.radians(44), retraction_rate=rate, **given), 1.5)

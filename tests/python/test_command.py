@@ -256,7 +256,7 @@ def test_what_is_asked_of_a_run_has_to_be_numbers():
 
 
 def test_a_run_begins_on_the_gait_that_was_printed(command, monkeypatch):
-    """At human scale, off the preset's friction: its parameters and its apex go with it."""
+    """The printed gait carries its parameters and its apex: human scale, another friction."""
     gait = command("gait", "--parameters", "human", "--friction", 0.5, "--json")[1]
     found = json.loads(gait)
     pathlib.Path("gait.json").write_text(gait)
@@ -297,7 +297,7 @@ def test_no_gait_is_an_error_with_a_reason(command):
 
 
 def test_every_variable_is_told(command, fmu):
-    """As the unit's description has it, also its range; for machines with no bound as null."""
+    """Each line has the entries of the unit's description. A missing bound is null in JSON."""
     status, out, _ = command("variables", "--json")
     printed = {row["name"]: row for row in json.loads(out)["variables"]}
     assert status == 0 and list(printed) == list(fmu.variables)

@@ -81,7 +81,7 @@ def address(request, site):
 
 
 def problems(driver):
-    """What broke the policy, and what else the page complained of; a search in files has no summaries."""
+    """Violations of the policy, and other complaints of the page. A page in a file may lack summaries."""
     said = [entry["message"] for entry in driver.get_log("browser")]
     if driver.current_url.startswith("file:"):
         said = [text for text in said if "Content Security Policy" in text]

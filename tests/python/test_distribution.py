@@ -43,12 +43,12 @@ def test_the_wheel_installs_and_runs_without_a_compiler(environment, wheel):
 
 @release
 def test_the_source_distribution_installs_and_runs(environment, sources):
-    """By the compiler of the machine; CVODE comes along where SUNDIALS is found."""
+    """The machine's compiler builds it, with CVODE where SUNDIALS is found."""
     assert_runs(environment, environment.install(sources, path=os.environ["PATH"]))
 
 
 def test_the_source_distribution_is_what_git_has(sources):
-    """Nothing of a build in it, and nothing of the sources forgotten."""
+    """The archive has every source, and no product of a build."""
     with tarfile.open(sources) as archive:
         names = {name.split("/", 1)[1] for name in archive.getnames() if "/" in name}
     tracked = set(succeed("git", "ls-files", cwd=ROOT).splitlines())

@@ -1,4 +1,4 @@
-"""Docstrings tell of the arguments that there are: what the documentation is rendered from."""
+"""Docstrings, which the documentation is rendered from, describe exactly the arguments."""
 
 import importlib
 import inspect
@@ -22,7 +22,7 @@ def modules():
 
 
 def is_own(function):
-    """Whether the package defines it, outside of pages: Matplotlib adds a method `set` to all artists."""
+    """True if the package defines it, outside of pages. Matplotlib adds a method `set` to all artists."""
     return re.match(r"tdmf_slip(?!\.pages\.)", function.__module__)
 
 
@@ -66,7 +66,6 @@ def test_arguments_that_are_told_are_those_that_there_are():
     assert compared > 40
 
 
-# What users reach by its module, or as an attribute of what is at the top.
 @pytest.mark.parametrize("name", TOP)
 def test_what_users_call_first_is_told_in_full(name):
     found = sections(getattr(tdmf_slip, name))

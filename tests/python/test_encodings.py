@@ -1,4 +1,4 @@
-"""What is printed where the encoding has not all characters: replaced, and never an error after the work."""
+"""Characters that an encoding lacks are replaced in print, and never cause an error after the work."""
 
 import ast
 import io

@@ -9,7 +9,7 @@ from tdmf_slip import basin, find_gait
 from tdmf_slip.library.members import FLAGS, INPUTS, PARAMETERS, VARIED
 
 NOTHING_MOVES = {"ground.height", "ground.stribeck_velocity", "ground.patch_friction", "leg.min_length"}
-"""Of these the unit's own gait does not depend: its foot at rest has no more friction than one that slips."""
+"""Names without effect on the unit's own gait, where static and sliding friction are the same."""
 
 
 BORDERS = {"ground.patch_begin", "ground.patch_end"}

@@ -200,7 +200,7 @@ class Biped:
         return [*y[2:], *force]
 
     def step(self):
-        """To the next passage over the only foot."""
+        """Walk to the next passage over the only foot."""
         while True:
             guards = {i: lambda y, x=x: 1 - np.hypot(y[0] - x, y[1]) for i, x in enumerate(self.feet)}
             if len(self.feet) < 2:

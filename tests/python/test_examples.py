@@ -21,7 +21,7 @@ def load(monkeypatch):
 
 
 def test_the_runner_crosses_the_ice_and_recovers(load):
-    """On ice the foot never sticks and the runner slows; afterwards it returns to its gait."""
+    """The foot never sticks on ice, and the runner slows; afterwards it returns to its gait."""
     example = load("ice_patch")
     strides = example.cross(strides=40)
     assert len(strides) == 40

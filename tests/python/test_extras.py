@@ -11,7 +11,7 @@ PARTS = {
     "cluster": {"dask", "distributed"},
     "proof": {"flint"},
 }
-"""What each extra brings, by the names that are imported."""
+"""Importable packages of each extra."""
 WITHOUT = """
 import sys
 for name in sys.argv[1].split(","):

@@ -14,7 +14,7 @@ FAST = 10.0 ** np.array([5.0, 6.0, 7.0])
 
 
 def end_of_stride(runner, apex, velocities=0.0):
-    """Where one stride leads, at each velocity at which the friction falls."""
+    """Word and end of a stride, for each velocity at which the friction falls."""
     made = tdmf_slip.stride_map(
         runner | {"ground.stribeck_velocity": np.atleast_1d(velocities)}, apex, tolerance=1e-13
     )
@@ -78,7 +78,7 @@ OUTPUT = [f"apex.{name}" for name in COORDINATES] + [
 )
 @pytest.mark.parametrize(("friction", "ratio"), [(0.6, 1.5), (0.3, 2.0)])
 def test_no_solver_jumps_over_the_layer(friction, ratio, interface, method, tolerance, version, request):
-    """To a hundredth of what the layer does to the stride, which without it would be that of v = 0."""
+    """Each solver keeps a hundredth of the layer's effect, which is the distance to the stride at v = 0."""
     runner, apex = runner_and_apex(friction, ratio)
     falling = runner | {"ground.stribeck_velocity": SMALLEST}
     _, (at_once,) = end_of_stride(runner, apex)

@@ -71,7 +71,7 @@ for folder, options in commands.items():
 
 @pytest.fixture(scope="module")
 def with_full_disk(tmp_path_factory):
-    """What each command that writes says, its status and its folder, if a process may write no more.
+    """Message, status and folder of each command that writes, when the process may write no more.
 
     A limit of what a process may write stands for the disk's end. All run in one process, after each other.
     """
@@ -169,7 +169,7 @@ NAME = os.fsdecode(b"caf\xe9")
 
 @pytest.mark.skipif(sys.platform != "linux", reason="names that are no UTF-8 are allowed on Linux")
 def test_a_name_need_not_be_utf_8(one_of_the_writers, command, tmp_path):
-    """Neither a folder's nor a file's."""
+    """The folder and the file have such a name."""
     name = f"{NAME}/{NAME}"
     options = [*arguments(one_of_the_writers, name), "--json"]
     (tmp_path / file_of(one_of_the_writers, name)).parent.mkdir(exist_ok=True)
@@ -291,7 +291,7 @@ def test_a_pipe_among_figures_is_not_written_over(command, tmp_path):
 
 
 def test_a_dataset_comes_back_as_it_was(command, tmp_path):
-    """What is in memory is what the library itself reads from the file."""
+    """xarray itself reads the same dataset from the file."""
     assert command(*[str(word).replace("{}", "sweep") for word in NETCDF])[0] == 0
     xarray.testing.assert_identical(
         netcdf.read_dataset(tmp_path / "sweep.nc"), xarray.load_dataset(tmp_path / "sweep.nc")

@@ -1,4 +1,4 @@
-"""What one meets first: the README, the home page, install, cite, gallery and glossary."""
+"""Pages that people meet first: README, home page, search, gallery and glossary."""
 
 import csv
 import io

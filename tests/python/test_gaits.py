@@ -32,7 +32,7 @@ CLAMPED_EIGENVALUES = {
     0.6: (0.857395094, -0.372498323, 0.00869537996),
 }
 LIGHT_AND_DAMPED = {(0.6, 0.005, 1.0): (0.897504, 0.276227), (0.3, 0.02, 2.0): (0.675120,)}
-"""With the clamp of the swing; the keys are friction, foot mass and damping."""
+"""Leading eigenvalues with the clamp of the swing, by friction, foot mass and damping."""
 FREE = json.loads(Path(__file__).with_name("free_swing.json").read_text(encoding="utf-8"))
 BORDERS = {(border["from"], border["to"]): border["friction"] for border in FREE["borders"]}
 
@@ -234,7 +234,7 @@ def test_a_grid_keeps_the_gaits_before_its_branch_was_lost(runner):
 
 @release
 def test_a_sweep_goes_on_beyond_a_gap():
-    """At human scale; between gaits of different words, but of no common branch, there is no border."""
+    """Gaits of different words on different branches have no border between them."""
     gaits, borders = sweep(Runner(read_parameters(FAST_HUMAN)), {FRICTION: [0.6, 0.3, 0.405]})
     assert gaits["word"].values.tolist() == ["+0+", "", "+0-0+"]
     assert "friction 0.3" in gaits["problem"].item() and borders.sizes["border"] == 0
@@ -355,7 +355,7 @@ def test_a_light_foot_that_never_slips_has_a_gait():
 
 
 def test_friction_without_bound_has_the_gait_of_no_slip(runner):
-    """What the friction changes vanishes with its inverse."""
+    """The effect of friction vanishes like its inverse."""
     never = find_gait(runner.replace({FRICTION: 1e6}))
     for friction in (1e3, 1e4, 1e5):
         gait = find_gait(runner.replace({FRICTION: friction}))

@@ -19,15 +19,15 @@ def data():
 
 @pytest.fixture(scope="module")
 def downhill():
-    """At -3 degrees, where two gaits were found side by side."""
+    """Runner on a slope of -3 degrees, where two gaits were found side by side."""
     return runner_of(tdmf_slip.Runner({}), DOWNHILL, 1.5, 0.1)
 
 
 @pytest.mark.parametrize("ratio", RATIOS[LEVEL])
 def test_the_branch_leads_from_the_jump_to_the_static_friction(data, ratio):
-    """From the gait whose friction jumps, at no velocity, to that of friction rho mu, at an infinite one.
+    """The branch begins at v = 0, where friction jumps, and tends to friction rho mu as v grows.
 
-    A gait of the branch is found anew.
+    One gait of the branch is found anew.
     """
     its = branch_of(data, LEVEL, ratio)
     mu = falling_friction.FRICTIONS[LEVEL]
@@ -44,7 +44,7 @@ def test_the_branch_leads_from_the_jump_to_the_static_friction(data, ratio):
 
 
 def test_downhill_the_branch_turns_where_the_foot_begins_to_rest(data):
-    """At its least velocity the stable gaits end and the unstable ones begin, which never rest."""
+    """Stable gaits end at the least velocity. Unstable ones, whose foot never rests, begin there."""
     for ratio in RATIOS[DOWNHILL]:
         its = branch_of(data, DOWNHILL, ratio)
         (fold,) = np.flatnonzero(its["kind"] == "fold")

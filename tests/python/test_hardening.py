@@ -28,7 +28,7 @@ def words_of(code):
 
 
 def largest_frame_opened_at_once(architecture, code):
-    """What an instruction takes from the stack pointer at the most, in bytes."""
+    """Most that one instruction takes from the stack pointer, in bytes."""
     if architecture == lief.ELF.ARCH.X86_64:  # sub rsp, imm32; a frame of ours is below a MiB
         taken = [int.from_bytes(found, "little") for found in re.findall(rb"\x48\x81\xec(....)", code, re.S)]
         return max((size for size in taken if size < 2**20), default=0)

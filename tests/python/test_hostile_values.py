@@ -21,7 +21,7 @@ SPEEDS = pandas.DataFrame({"speed [m/s]": [1.06], "speed_error [m/s]": [0.1]})
 
 
 class OwnError(Exception):
-    """What methods of hostile objects raise."""
+    """Error that methods of hostile objects raise."""
 
 
 def fail(*_given, **_named):

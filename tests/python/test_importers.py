@@ -72,7 +72,7 @@ print("RESULT " + json.dumps([count, *values]), flush=True)
 
 
 def result_of(*command):
-    """What a program reports: the number of strides, and the quantities of the last one."""
+    """Report of a program: the number of strides, and the quantities of the last one."""
     done = subprocess.run(list(map(str, command)), capture_output=True, text=True, timeout=HANGS)
     lines = [line for line in done.stdout.splitlines() if line.startswith("RESULT ")]
     assert lines, done.stdout[-2000:] + done.stderr[-2000:]

@@ -1,4 +1,4 @@
-"""What is loaded is what is used: a command does not wait for what other commands need."""
+"""Commands and analyses load only the packages that they use."""
 
 import subprocess
 import sys
@@ -10,7 +10,7 @@ RUN_THE_UNIT = {"import", "simulate", "inputs", "simulate_many", "plot", "a file
 """Uses in test_host that load FMPy."""
 HEAVY = {"dask", "distributed", "matplotlib", "netCDF4", "pandas", "scipy", "xarray", "numba", "heyoka"}
 SLOW = {"tqdm", "cffi", "pycparser"}
-"""What a short command would have to wait for: the library's declarations are parsed when it is built."""
+"""Packages that a short command must not load; the C declarations are parsed when the library is built."""
 PROGRAM = """
 import sys
 sys.argv[0] = "tdmf-slip"
@@ -23,7 +23,7 @@ print(tdmf_slip.load_fmu()._folder is not None)
 
 
 def modules_after(*arguments):
-    """What is loaded once a command is done, and whether the unit was unpacked for it."""
+    """Modules loaded once a command is done, and True if the unit was unpacked for it."""
     done = subprocess.run([sys.executable, "-c", PROGRAM, *arguments], capture_output=True, text=True)
     printed, unpacked = done.stdout.splitlines()[-2:]
     status, *modules = printed.split()

@@ -24,7 +24,7 @@ SAYS = {
     "page": "touchdown_angle from -1.5708 to 1.5708 rad\ntouchdown_angle = 2 is refused: allowed from",
     "law": "runner 10 begins with touchdown angle 0.6991 rad",
 }
-"""What each program prints."""
+"""First words of each program's output."""
 
 
 def test_find_package(installed_library, tmp_path):

@@ -19,7 +19,7 @@ NAMES = (ANGLE, TORQUE)
 
 @pytest.fixture(scope="module")
 def gait():
-    """With the clamp; where the swing is free, a law that settles this runner keeps it up no longer."""
+    """Gait with the clamp. With a free swing, a law that settles this runner does not keep it up longer."""
     return find_gait(Runner({"ground.friction": 0.6, **CLAMPED}))
 
 
@@ -32,7 +32,7 @@ def nothing(gait):
 
 @pytest.fixture(scope="module")
 def settling(gait):
-    """By least squares, what makes the next apex the gait's: as nearly as two settings can."""
+    """Law that brings the next apex as near to the gait's as two settings can, by least squares."""
     usual = np.array([gait.runner[name] for name in NAMES])
     by_settings = np.array([stride_from(gait.runner, gait.apex, name)[2] for name in NAMES]).T
     over = 1.0 / gait.runner.scales[:, None]

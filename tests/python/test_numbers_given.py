@@ -33,7 +33,7 @@ def friction_at_the_end(inputs):
     ids=range(5),
 )
 def test_durations_are_seconds(times):
-    """Of friction that has fallen to a half by 5 s; taken as nanoseconds, it would hardly have begun to."""
+    """Friction halves within 5 s; durations read as nanoseconds would leave it almost unchanged."""
     assert friction_at_the_end({FRICTION: (times, [0.6, 0.3])}) == 0.3
 
 
@@ -100,7 +100,7 @@ def test_a_comma_is_no_decimal_sign_beside_points(tmp_path, separator, row):
 
 
 def test_what_has_no_number_was_not_measured(tmp_path):
-    """On file as in memory."""
+    """Tables on file and in memory agree."""
     columns = {"speed [m/s]": [1.0, 1.1], "speed_error [m/s]": 0.01}
     for nothing in (np.nan, None):
         table = pandas.DataFrame(

@@ -8,7 +8,7 @@ from tdmf_slip.cli.main import commands
 
 
 def single_options():
-    """Of every command, the options that take one value."""
+    """Options of all commands that take one value."""
     context = click.Context(commands)
     for name in commands.list_commands(context):
         for option in commands.get_command(context, name).params:

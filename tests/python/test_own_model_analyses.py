@@ -199,7 +199,7 @@ def test_a_simulation_of_the_ball_by_its_unit_is_its_parabolas(ball):
 
 
 def test_derivatives_of_a_trajectory_are_those_of_the_engine(paper_s):
-    """By more names than the library varies at once, and by parameters of one's own as differences."""
+    """Derivatives by more names than the library varies at once, and by a parameter of one's own."""
     gait = find_gait(paper_s)
     times = np.linspace(0, 1.29 * gait.period, 40)
     names = [*gait.runner.coordinates, "leg.damping", "friction", "body.mass", "gravity", "leg.stiffness"]

@@ -29,7 +29,7 @@ class Hopper(Model):
 
     @mode(ends=True)
     def rest(b):
-        """On the floor."""
+        """The hopper rests on the floor."""
         return {}
 
     unit_height, rate = parameter(1, "m"), parameter(1, "1/s")
@@ -53,7 +53,7 @@ def whole():
 
 
 def bits(run):
-    """What a run has come to."""
+    """Bits of a run's whole state."""
     r, rows = run.run, min(len(run.rows), run.run.log_count)
     numbers = run.outcome, r.mode, r.time, r.time_rest, r.steps, r.events, r.chain, r.log_count, r.is_shifted
     memory = r.taken, r.above, r.late, run.log[:rows]
@@ -188,7 +188,7 @@ def test_threads_decide_nothing(hopper):
 
 
 def test_each_outcome_is_told_apart(hopper):
-    """In one batch: at rest, arrived, at a limit, endless, without a finite step."""
+    """One batch has runs at rest, arrived, at a limit, endless, and without a finite step."""
     given = {
         "ended": {"sticks": 0.5}, "arrived": {"height": 1e3}, "too-many-steps": {"rate": 1e4},
         "endless-chain": {"sticks": 0, "restitution": 0}, "no-progress": {"gravity": np.nan},

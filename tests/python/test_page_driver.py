@@ -92,7 +92,7 @@ class Decays(Model):
 
 @pytest.mark.parametrize("tolerance", [1e-2, 1e-3, 1e-4])
 def test_a_guard_that_decays_towards_zero_does_not_reach_it(tolerance):
-    """At a rough tolerance its polynomial has roots, by error only: such a fall would be none."""
+    """A rough tolerance gives its polynomial roots by error alone; a fall there would be false."""
     run = CompiledPage(Decays).start(tolerance=tolerance).to(18.0)
     assert (run.outcome, run.log) == ("arrived", [])
 

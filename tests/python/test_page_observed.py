@@ -31,7 +31,7 @@ class Pulse(Model):
 
     @event("turns", when=lambda s: s.due + s.passed * 99 - s.angle)
     def passes(s):
-        """What is observed jumps, and is read and reset."""
+        """The observed quantities jump, and are read and reset."""
         return s.replace(passed=s.passed + 1, read_most=s.most, read_positive=s.positive, most=0, positive=0)
 
     @event("turns", when=lambda s: s.end - s.angle)

@@ -160,7 +160,7 @@ def test_the_time_in_place_is_0_in_other_phases(whole):
 
 
 def test_peaks_are_the_largest_forces_of_modes_that_last(whole):
-    """On a slope, with a torque that jumps while the foot sticks: then it slips, and the forces jump."""
+    """A torque jumps while the foot sticks on a slope: the foot slips, and the forces jump."""
     world = world_of(GAIT["apex"])
     run, forces = whole.start(ground_slope=0.05, friction=0.4, tolerance=1e-12, **world).to(0.0), []
     for time in np.arange(0.01, 16.0, 0.01):
@@ -212,7 +212,7 @@ FAR = 1e12
 
 
 def assert_varies(start, vary):
-    """Whether the section at the next apex varies as by differences.
+    """Checks the derivatives of the section at the next apex against differences.
 
     `start` makes a run with something shifted, and `vary` one that varies it as its only seed.
     """
@@ -286,7 +286,7 @@ def off_by(rows, others, units):
 
 
 def test_no_result_depends_on_a_margin(monkeypatch):
-    """With all margins times 0.1 or 10, runs differ by a hundred times rounding at most."""
+    """Runs with all margins times 0.1 or 10 differ by a hundred times rounding at most."""
     pages = {1.0: whole_page()}
     for factor in (0.1, 10.0):
         for name, margin in MARGINS.items():

@@ -13,7 +13,7 @@ from tdmf_slip.variables.table import DIMENSIONS, paper_unit, scale
 
 @pytest.mark.parametrize("unit", DIMENSIONS)
 def test_a_label_says_how_large_its_scale_is(unit):
-    """What the label says, evaluated for a runner's mass, stiffness and length, is the unit's scale."""
+    """The label, evaluated with a runner's mass, stiffness and length, is the unit's scale."""
     mass, stiffness, length = 75.1, 20500.0, 0.93
     text = paper_unit(unit).replace("^", "**").replace(" ", "*")
     said = eval(text, {"m": mass, "k": stiffness, "l0": length, "sqrt": np.sqrt, "rad": 1.0})

@@ -235,7 +235,7 @@ def test_a_validation_shows_each_value_beside_what_is_allowed():
 
 
 def test_pyplot_keeps_a_figure_only_where_it_has_windows(monkeypatch):
-    """So a script's `pyplot.show()` opens it, and a notebook shows it once."""
+    """A script's `pyplot.show()` opens the figure, and a notebook shows it once."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg
 
     gait = tdmf_slip.find_gait(friction=0.43)

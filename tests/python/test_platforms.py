@@ -81,7 +81,7 @@ def test_each_library_is_for_its_processors_exports_the_standard_and_needs_only_
 
 
 def seen(libraries, fmi, name, build, before=(), ending="", environment=None):
-    """What the importer of a platform sees: {interface: (word, values)}."""
+    """Word and values that a platform's importer reads, by interface."""
     description = fmpy.read_model_description(str(UNITS[fmi]))
     references = {v.name: str(v.valueReference) for v in description.modelVariables}
     identity = description.guid if fmi == 2 else description.instantiationToken

@@ -102,7 +102,7 @@ def random_gaits():
 
 
 def row_of(given, proof):
-    """Of the table that the guide to proofs shows."""
+    """Row of the table that the guide to proofs shows."""
     row = {"given": given, "proved": proof.proved, "word": proof.word, "stable": proof.stable}
     time = proof.undecided.get("time")
     return row | {"undecided": None if proof.proved else [proof.undecided["guard"], f"{time:.4g}"]}

@@ -30,7 +30,7 @@ BITS, DEGREE = 128, 40
 PLANE = Record(
     slope=arb(0), longest_step=0.5, sizes={}, swing_frequency=1.0, is_varied=False, falls_with_speed=False
 )
-"""What a step asks of a runner, for a system of the plane: position is `length`, velocity `length_rate`."""
+"""Stand-in for a runner, for systems of the plane: `length` is position, `length_rate` velocity."""
 
 
 def plane(monkeypatch, acceleration):
@@ -50,7 +50,7 @@ def plane(monkeypatch, acceleration):
 
 
 def half_turn(position):
-    """From rest at a positive position to the next rest: when, where, and the slope of where by the start."""
+    """Time and place of the next rest after rest at a positive position; slope of that place by the start."""
     start = {"length": position, "angle": arb(0), "length_rate": arb(0), "angle_rate": arb(0)}
     time, slopes, order = arb(0), None, 1
     while True:

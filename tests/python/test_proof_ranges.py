@@ -124,7 +124,7 @@ def test_the_guide_has_the_hash_of_the_published_table(table):
 
 @pytest.fixture(scope="module")
 def long_table():
-    """What an hour's run over [0.05, 10] came to: its pieces, in order."""
+    """Subintervals of an hour's run over [0.05, 10], in order."""
     with gzip.open(LONG_TABLE, "rt", encoding="utf-8") as file:
         head, *parts = (json.loads(line) for line in file)
     assert head["range"] == ["1/20", "10"] and head["parameters"]["hip.swing_clamp"] == "true"
@@ -133,7 +133,7 @@ def long_table():
 
 
 def test_the_long_table_has_no_gap_but_at_the_border_of_a_word(long_table):
-    """What is left open there is narrower than 1e-9; up to 3e-6 above it gaits are, not their branch."""
+    """The open part is narrower than 1e-9. Gaits up to 3e-6 above it are proved, but not to be one branch."""
     assert long_table[0].begin == Fraction("0.05") and long_table[-1].end > Fraction("0.477")
     assert all(one.end == other.begin for one, other in itertools.pairwise(long_table))
     below, left_open, above = (
@@ -167,7 +167,7 @@ def test_the_guide_has_the_hash_of_the_long_table(long_table):
 
 
 def test_a_piece_is_cut_until_its_gaits_are_told_to_be_stable(monkeypatch):
-    """Where every piece of more than a width is left open."""
+    """Every subinterval above a width is left open."""
     prove, widest = RangeProver._subinterval, Fraction("0.0000011")
 
     def open_if_wide(self, begin, end, gait):

@@ -57,7 +57,7 @@ def test_where_the_leg_waits_is_as_in_the_references(reading, claims):
 
 @pytest.mark.parametrize("reading", READINGS)
 def test_the_printed_torque_takes_energy_out(reading):
-    """In stance the leg turns backward, so a positive torque does negative work."""
+    """The leg turns backward in stance, so a positive torque does negative work."""
     gait = find_gait({"hip.swing_clamp": READINGS[reading], "ground.friction": 10.0})
     printed = gait.runner.replace({"hip.stance_torque": -gait.runner["hip.stance_torque"]})
     assert stride_map(printed, [gait.apex])["hip_work"].values[0, 0] < 0.0 < gait.stride["hip_work"]
@@ -71,7 +71,7 @@ def test_the_work_falls_below_friction_one_half_as_in_the_references(reading, cl
 
 
 def test_the_gait_with_fewest_small_eigenvalues_decides(evidence, claims):
-    """With the clamp the fourth smallest eigenvalue is above 0.01 at some frictions, below at others."""
+    """The clamp's fourth smallest eigenvalue is above 0.01 at some frictions, below at others."""
     claim = claims["very small eigenvalues"]
     assert claim.computed[FREE].agrees and not claim.computed[CLAMP].agrees
     counts = [np.sum(np.abs(gait.eigenvalues) < 1e-2) for gait in evidence[CLAMP].sweep.gaits]

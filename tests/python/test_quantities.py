@@ -118,7 +118,7 @@ def test_derivatives_are_those_of_differences(name):
 
 
 def test_derivatives_of_random_runners_are_those_of_differences():
-    """Of gaits that were found by another search: foot masses, dampings, hips and frictions all over."""
+    """Another search found these gaits: their foot mass, damping, hip and friction vary widely."""
     compared = 0
     for case in RANDOM_RUNNERS:
         for gait in case["gaits"][:1]:

@@ -21,14 +21,14 @@ def runs(gait, ground, runners=RUNNERS, strides=STRIDES, **how):
 
 
 def given(gait, name, values, first_steps=0.0):
-    """What is given is there at the start, where the engine's ground steps: the apex is as much lower."""
+    """Strides with given inputs. Their ground has no step at the start, so the apex is lower instead."""
     starts = np.tile(gait.apex, (RUNNERS, 1))
     starts[:, 0] -= first_steps
     return stride_map(gait.runner, starts, strides=STRIDES, inputs={name: values})
 
 
 def same_apices(ends, data):
-    """Of runners that have made all strides."""
+    """Checks the last apices of runners that made all strides."""
     up = ends["strides"] == STRIDES
     assert np.count_nonzero(up) > RUNNERS // 2
     last = data["next_apex"].values[:, -1]
@@ -70,7 +70,7 @@ def test_a_spectrum_is_that_of_the_steps():
 
 
 def test_who_trips_falls_at_the_step(gait):
-    """At the start exactly where the step is higher than the foot, which by default passes it."""
+    """A runner trips exactly if its first step is higher than its foot, which passes it by default."""
     clearance = gait.stride["foot_clearance"]
     plain, trips = RoughGround(0.6, 4), RoughGround(0.6, 4, trips=True)
     first = np.array([plain.steps(k, 1)[0] for k in range(400)])

@@ -30,7 +30,7 @@ WAYS = {
     "FMI 3, early return": (3, CS | {"use_event_mode": True, "early_return_allowed": True}, {}, 1e-8),
     "FMI 3, Model Exchange": (3, ME, {}, 1e-6),
 }
-"""By name: version of FMI, FMPy's options, start values, and the accuracy that is asked of it."""
+"""Version of FMI, FMPy's options, start values and required accuracy, by way of running."""
 
 
 def by_each_way(references):

@@ -1,4 +1,4 @@
-"""What a release consists of beside its binaries: the papers that go with it, and the same bytes twice."""
+"""Releases: the papers that go with the binaries, and the same bytes when built twice."""
 
 import hashlib
 import json

@@ -68,7 +68,7 @@ VARIES = {
     "front": {TORQUE},
     "comparison": {TORQUE, "ground.friction"},
 }
-"""By result: names whose values are its coordinates."""
+"""Names whose values are a result's coordinates, by result."""
 MADE_TWICE = {"run", "runs", "basin", "falls", "strides", "feedback"}
 
 

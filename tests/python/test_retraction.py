@@ -13,7 +13,7 @@ RATE = "hip.retraction_rate"
 
 @pytest.fixture(scope="module")
 def branch():
-    """With the clamp, where gaits of two strides last; without it they are soon lost."""
+    """Branch with the clamp, where gaits of two strides last; without it they are soon lost."""
     runner = Runner({"ground.friction": 0.2, **CLAMPED})
     return followed(find_gait(runner), RATE, 0.0, 0.01)
 

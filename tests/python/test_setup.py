@@ -1,4 +1,4 @@
-"""What the scripts install: Debian packages with leave only, Python packages by exact versions and hashes."""
+"""Packages that the scripts install: Debian's only with leave, Python's by exact versions and hashes."""
 
 import importlib.metadata
 import json
@@ -64,7 +64,7 @@ def test_a_lock_has_what_pyproject_asks_for(lock, requirements, least):
 
 
 def test_locks_agree_and_have_all_that_is_needed_in_turn():
-    """As the installed packages tell what they need."""
+    """The installed packages' own requirements are met."""
     versions, checked = {}, 0
     for lock in map(locked, ("environment", "test", "bench", "zig", "platforms", "site")):
         assert all(versions.get(name, version) == version for name, version in lock.items())

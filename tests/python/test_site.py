@@ -17,7 +17,7 @@ pytest.importorskip("sphinx", reason="NOT TESTED: the site, Sphinx is not instal
 LOADS = (
     "//script/@src|//link[not(@rel='canonical')]/@href|//img/@src|//iframe/@src|//object/@data|//source/@src"
 )
-"""What a browser fetches by itself."""
+"""Addresses that a browser fetches by itself."""
 
 
 class Page:
@@ -109,7 +109,7 @@ def test_every_public_name_has_its_place(pages):
 
 
 def test_nothing_public_is_untold():
-    """What the build asks for, without a build."""
+    """The site's own check of names, without a build."""
     import c_headers
     import python_reference
 

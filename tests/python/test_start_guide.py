@@ -16,7 +16,7 @@ from conftest import ROOT, succeed
 GUIDES = ROOT / "documentation" / "guides"
 PRINTED = (GUIDES / "start.md").read_text(encoding="utf-8")
 VALUES = {"ground.friction": (0.4, 1.2, "0.43"), "leg.damping": (0.18, 0.22, "0.2")}
-"""By what is changed in the printed code: from, to, and the value that is printed."""
+"""Range of values to put for a printed one, and the printed value, by parameter."""
 
 
 @pytest.fixture(scope="module")

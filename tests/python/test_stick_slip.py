@@ -45,7 +45,7 @@ def test_what_the_ground_does_is_the_law_of_friction(gait):
 
 
 def test_a_constant_friction_as_large_as_the_static_one_does_the_same(gait):
-    """So its fall is not needed; with the sliding friction alone, or with a jump, there is one stick."""
+    """The fall of friction is not needed. Sliding friction alone, or a jump, gives one stick."""
     alike = RUNNER | {"ground.static_friction_ratio": 1.0}
     words = [tdmf_slip.find_gait(alike | {"ground.friction": mu}).word for mu in (MU, RATIO * MU)]
     assert words == ["+0-", gait.word]

@@ -14,7 +14,7 @@ from tdmf_slip.library.engine import FELL, STOPPED
 BETWEEN = 0.02
 """Seconds between looks whether the engine runs."""
 LOOKS = 5
-"""That see it run before the interrupt comes."""
+"""Looks that see the engine run before the interrupt comes."""
 
 INTERRUPTED = """
 import signal
@@ -55,7 +55,7 @@ print("stopped", stopped, "times")
 
 
 def works_beside():
-    """Whether a thread does work that the main thread waits for."""
+    """True if a thread does work that the main thread waits for."""
     return any(
         frame.f_code.co_name == "engine" and frame.f_back.f_code.co_name == "beside"
         for frame in sys._current_frames().values()

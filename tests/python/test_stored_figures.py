@@ -22,7 +22,7 @@ RUNNERS = {
     "thrust": {"friction": FRICTION, "hip_torque": TORQUE, "thrust": THRUST, "touchdown_angle": ANGLE},
     "optimal": {"friction": FRICTION, "stance_torque": TORQUE, "thrust": THRUST, "touchdown_angle": ANGLE},
 }
-"""By figure: columns of its data that are values of the runner."""
+"""Columns of a figure's data with the runner's values, by figure."""
 
 
 def gait_of(figure, data, row):
@@ -45,7 +45,7 @@ def test_gaits_of_a_figure_are_what_is_kept(figure):
 
 
 def test_matched_runners_on_rough_ground_are_what_is_kept():
-    """With the kinematics of friction 0.2 they stay up longer, the less friction they have."""
+    """Runners matched to the kinematics of friction 0.2 stay up longer with less friction."""
     data = stored("rough")
     data = data[data["matched"] == 1.0]
     friction, low, high = data["friction"], data["mean_strides_low"], data["mean_strides_high"]

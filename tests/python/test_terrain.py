@@ -10,7 +10,7 @@ from tdmf_slip.library.ground import RoughGround, correlated_weights, spectrum_w
 
 FELL, UNDECIDED = FATES.index("fell"), FATES.index("undecided")
 TOUCHDOWN, LIFTOFF = 13.8292, 14.0363
-"""How far from its start the foot of the gait at friction 0.6 first comes down, and then lifts off, m."""
+"""Places where the foot of the gait at friction 0.6 first lands and lifts off, from its start, m."""
 
 
 @pytest.fixture(scope="module")
@@ -163,7 +163,7 @@ def test_ground_behind_the_start_has_the_last_heights_first(gait):
 
 
 def test_friction_is_that_of_the_segment_that_the_foot_comes_down_on(gait):
-    """With segments of a stride the number of the segment is that of the stride."""
+    """Segments as long as a stride are numbered like strides."""
     length = float(gait.stride["length"])
     on_terrain = runs(gait, RoughGround(0.0, 7, friction_spread=0.2, segment_length=length), strides=4)
     strides = runs(gait, RoughGround(0.0, 7, friction_spread=0.2), strides=4)

@@ -31,15 +31,15 @@ PLATFORMS = {
     "macosx_11_0_x86_64": ("x86_64", "libtdmf_slip_shared.dylib"),
     "macosx_11_0_arm64": ("aarch64", "libtdmf_slip_shared.dylib"),
 }
-"""By platform tag: processor, and the library's file as the Python package asks for it there."""
+"""Processor, and the library's file name that the Python package loads, by platform tag."""
 EMULATORS = {
     "win_amd64": (windows(), "x86_64-windows-gnu"),
     "manylinux_2_17_aarch64": (arm_linux(), "aarch64-linux-gnu.2.17"),
 }
-"""By platform tag: how a program of it is run here, and what Zig calls the platform."""
+"""Emulator of a platform, and Zig's name for the platform, by platform tag."""
 TOOLCHAIN = (ROOT / "cmake" / "zig.cmake").read_text(encoding="utf-8")
 FLAGS = re.search(r'C_FLAGS_INIT "-target \$\{TDMF_SLIP_TARGET\} ([^"]+)"', TOOLCHAIN)[1].split()
-"""Those of the wheels: Zig compiles the C runtime anew for others, which takes minutes for Windows.
+"""Flags of the wheels. Zig compiles the C runtime anew for others, which takes minutes for Windows.
 
 It also does so where it is called in a folder that it lies in, such as ROOT: it names its own files relative
 to that.
@@ -55,7 +55,7 @@ def test_there_is_a_wheel_for_every_platform_that_the_units_have():
 
 @each_platform
 def test_a_wheel_is_what_its_name_says(tag):
-    """By the libraries that installers use: tags, checksums, metadata. Both units are whole."""
+    """Installers' own libraries read tags, checksums and metadata. Both units are whole."""
     path = WHEELS[tag]
     name, version, _, tags = utils.parse_wheel_filename(path.name)
     assert {str(found) for found in tags} == {f"py3-none-{tag}"}

@@ -149,7 +149,7 @@ class Hopper(Model):
 
     @output(name="contact", kind=("flight", "stance", "broken"))
     def contact(h):
-        """Whether the spring is on the ground."""
+        """Contact of the spring with the ground, which may break the spring."""
         return {"stance": 2, "broken": 3}.get(h.mode, 1)
 
 

@@ -172,7 +172,7 @@ def _other_values(found: Any, wanted: str) -> Iterator[str]:
 
 
 def _same(found: Mapping[Any, Any], wanted: Mapping[Any, Any], name: Hashable) -> bool:
-    """Whether an attribute agrees; numbers may differ by rounding, as between two machines."""
+    """True if an attribute agrees. Numbers may differ by rounding, as between two machines."""
     value, there = wanted[name], found.get(name, "")
     if isinstance(value, str):
         return isinstance(there, str) and there == value

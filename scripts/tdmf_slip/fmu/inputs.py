@@ -29,7 +29,7 @@ input."""
 def signals(
     fmu: Fmu, tables: InputTables | None, start_values: Mapping[str, Value]
 ) -> NDArray[np.void] | None:
-    """All inputs, and what else has a table, on one time grid, as FMPy wants them; None without tables."""
+    """Inputs and tunable parameters that have tables, on FMPy's one time grid; None without tables."""
     checked = {name: _checked(fmu, name, table, "inputs") for name, table in _tables(tables).items()}
     if not checked:
         return None
@@ -66,7 +66,7 @@ def _tables(given: object) -> InputTables:
 
 
 def _is_over_time(given: object) -> TypeGuard[Any]:
-    """Whether something is a Series with times as its labels."""
+    """True for a Series whose labels are times."""
     return is_series(given) and getattr(getattr(given, "index", None), "name", "") == TIME
 
 

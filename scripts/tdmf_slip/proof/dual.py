@@ -143,11 +143,11 @@ class Dual(Arithmetic):
         return self._by(inverse, -(inverse * inverse))
 
     def __ge__(self, other: Number) -> bool:
-        """Whether it is proved not to be less than another."""
+        """True if the number is proved not to be less than another."""
         return bool(self.value >= value_of(other))
 
     def __gt__(self, other: Number) -> bool:
-        """Whether it is proved to exceed another."""
+        """True if the number is proved to exceed another."""
         return bool(self.value > value_of(other))
 
     def sin(self) -> "Dual":

@@ -184,7 +184,7 @@ def with_direction(runner: Any, values: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def fades(runner: Any, mode: Mode) -> bool:
-    """Whether friction changes with the foot's speed."""
+    """True if friction changes with the foot's speed in a mode."""
     return bool(mode.contact == "slip" and runner.falls_with_speed)
 
 

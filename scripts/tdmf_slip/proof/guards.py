@@ -46,7 +46,7 @@ class Guard:
         return self.polynomial(time) + time**self.power * self.remainder
 
     def is_positive(self, begin: arb, end: arb) -> bool:
-        """Whether it is proved to be positive between two times."""
+        """True if the guard is proved to be positive between two times."""
         return self.reached(begin, end) is None
 
     def reached(self, begin: arb, end: arb) -> arb | None:

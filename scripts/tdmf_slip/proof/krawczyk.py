@@ -48,7 +48,9 @@ def eigenvalues(matrix: arb_mat, rank: int) -> list[acb]:
 
 
 def stability(matrix: arb_mat) -> bool | None:
-    """Whether all eigenvalues are inside the unit circle: False if one is outside, None if neither is proved.
+    """True if all eigenvalues are proved to be inside the unit circle, False if one is proved to be outside.
+
+    The answer is None if neither is proved.
 
     Gershgorin's discs prove that one is outside, in a basis in which the matrix is nearly diagonal.
     """

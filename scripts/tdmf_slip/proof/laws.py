@@ -70,7 +70,7 @@ class Motion(RunnerOnOneLine):
         return 1 / r.length
 
     def friction_falls(r: Any) -> bool:
-        """Whether friction falls with the slip speed, also where it falls by nothing."""
+        """True if friction depends on the slip speed, even if it falls by zero."""
         return bool(r.falls_with_speed)
 
     def fading(r: Any) -> Number:

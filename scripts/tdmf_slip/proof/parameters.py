@@ -129,7 +129,7 @@ class Parameters:
         return runner
 
     def _matters(self, name: str, none: int = 0) -> bool:
-        """Whether a parameter is varied, or has another value than the one by which it does nothing."""
+        """True if a parameter is varied, or differs from the value at which it has no effect."""
         return name == self.varied or self.values[name] != Exact(Fraction(none))
 
     def _derived(self, runner: Any) -> dict[str, Any]:

@@ -67,7 +67,7 @@ class Box:
         }
 
     def holds(self, apex: Sequence[arb]) -> bool:
-        """Whether an enclosed apex is proved to lie in it."""
+        """True if an enclosed apex is proved to lie in the box."""
         intervals = zip(apex, self.centre, self.radii, strict=True)
         return all(abs(x - ball_of(centre)) < ball_of(radius) for x, centre, radius in intervals)
 
@@ -91,7 +91,7 @@ class Proved:
     """Base of all proofs: a sentence that says what is proved or left open, and assumptions."""
 
     proved: bool
-    """Whether the sentence is proved; False means undecided, and says nothing against it."""
+    """True if the sentence is proved; False means undecided, and says nothing against it."""
     values: Mapping[str, Exact] = field(repr=False)
     """The runner's parameters, exactly, by the unit's names."""
     version: str = field(default=__version__, repr=False, compare=False, kw_only=True)

@@ -26,7 +26,7 @@ class Subinterval:
     word: str = ""
     """The gait word; empty where it is left undecided."""
     stable: bool | None = None
-    """Whether all gaits are stable: False if none is, None if neither is proved."""
+    """True if all gaits are stable, False if none is, None if neither is proved."""
     centre: Sequence[float] = ()
     """The apex that xi is counted from, at the middle of the subinterval, shape (6,)."""
     tilt: Sequence[float] = ()
@@ -40,7 +40,7 @@ class Subinterval:
 
     @property
     def proved(self) -> bool:
-        """Whether there is exactly one gait, with this word, for each value."""
+        """True if each value is proved to have exactly one gait with this word."""
         return bool(self.word)
 
     def middle(self) -> arb:
@@ -59,13 +59,13 @@ class Subinterval:
         return cls(**{**row, **ends})  # type: ignore[arg-type] # as it was written
 
     def meets(self, other: "Subinterval") -> bool:
-        """Whether its gait at its end is proved to be that of the next subinterval at its beginning."""
+        """True if this subinterval's gait at its end is proved to be the next one's at its beginning."""
         if not (self.proved and other.proved and self.end == other.begin):
             return False
         return self._has_in_box(other, self.end) or other._has_in_box(self, self.end)
 
     def _has_in_box(self, other: "Subinterval", value: Fraction) -> bool:
-        """Whether another's gait is in the box in which its own is the only one, at a value of both."""
+        """True if another subinterval's gait is in the box of this one's only gait, at a shared value."""
         with ctx.workprec(COMPARING_BITS):
             centres = [_centre_at(subinterval, value) for subinterval in (self, other)]
             rows = zip(*centres, other.enclosure, self.box, strict=True)

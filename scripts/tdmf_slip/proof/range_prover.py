@@ -242,7 +242,7 @@ def _done(output: Path | None, head: Mapping[str, Any]) -> dict[tuple[Fraction, 
 
 
 def _is_of(head: Mapping[str, Any], read: Any) -> bool:
-    """Whether a file holds this range and this runner, proved by any version."""
+    """True if a file holds this range and this runner, proved by any version."""
     return isinstance(read, dict) and {**read, "version": head["version"]} == head
 
 

@@ -234,12 +234,12 @@ class Traveller:
         return forced if forced is not None and forced.index == len(self.events) else None
 
     def _vanishes_with(self, guard: Guard, flow: Flow, latest: arb) -> bool:
-        """Whether it is positive before an event at which it is zero: it falls from where it is positive."""
+        """True if a guard that is zero at an event is proved to be positive before it, and to fall."""
         until = guard.reached(arb(0), latest)
         return until is None or self._falls(guard, flow, until.union(latest))
 
     def _falls(self, guard: Guard, flow: Flow, times: arb) -> bool:
-        """Whether it is proved to fall all the time: a zero is then the only one."""
+        """True if a guard is proved to fall all the time. It then has at most one zero."""
         return bool(rate_of_guard(self.wide, self.mode, guard.name, flow.at(times)) < 0)
 
     def _advance(self, thin: Flow, flow: Flow, end: arb) -> None:
@@ -248,7 +248,7 @@ class Traveller:
     # ---- events ----------------------------------------------------------------------------------------
 
     def _pass(self, guard: Guard, thin: Flow, flow: Flow, times: arb) -> bool:
-        """Take the event; whether it ends the stride."""
+        """Take the event, and return True if it ends the stride."""
         self.ledger.add(flow, times)
         at_event = flow.at(times)
         forced = self._now()

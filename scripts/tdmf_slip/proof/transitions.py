@@ -108,7 +108,7 @@ class Transition:
         return 1 if positive(velocity, "the foot's velocity along the ground") else -1
 
     def _slides(self, along: Number, stopped: Number) -> bool:
-        """Whether an impact does not stop the foot; an open sign of its velocity may suffice for that."""
+        """True if the impact leaves the foot sliding. The velocity's sign may stay open if the foot stops."""
         value = value_of(along)
         if not (value > 0 or value < 0) and not abs(value) < value_of(stopped):
             raise UndecidedError("the foot's velocity along the ground")
@@ -130,7 +130,7 @@ class Transition:
         return positive(self.values["length_rate"], "the leg's rate as it is loaded")
 
     def _stand(self, *, moves: bool) -> Entered:
-        """On a loaded foot: stick or slip; `moves` says whether its speed is not zero."""
+        """Stick or slip of a loaded foot; `moves` says that the speed is not zero."""
         stands = replace(self.mode, contact="stick", sign=0, places=False, clamped=False, rises=False)
         if moves:
             sign = 1 if positive(self.values["foot_vx"], "the foot's speed") else -1
@@ -196,7 +196,7 @@ class Transition:
     # ---- off the ground --------------------------------------------------------------------------------
 
     def _place_after_contact(self) -> bool:
-        """Whether the hip goes to place, rather than to retract, where a contact ends."""
+        """True if the hip places the leg, rather than retracts it, when a contact ends."""
         if self.mode.places:
             return True
         return not self._rises()
@@ -260,7 +260,7 @@ class Transition:
         return self._enter(flies)
 
     def _rises(self) -> bool:
-        """Whether the centre of mass rises, with the foot on the ground."""
+        """True if the centre of mass rises, with the foot on the ground."""
         return self.is_positive("apex", self._grounded(), "whether the centre of mass rises")
 
     def _grounded(self) -> Mode:
