@@ -1,7 +1,7 @@
 /* Calls whose arguments are alike in FMI 2.0 and 3.0, and the table of a version. The importer of each
- * version includes this behind the calls that differ. It defines FMI(Name) as what its version calls so,
- * FMI_STATE(Name, Rest) as a call for saved states, in which the versions spell a word in two ways, and
- * FMI_KINDS as the first kind that it has not. */
+ * version includes this file behind the calls that differ. It defines FMI(Name) as the function of its
+ * version, FMI_STATE(Name, Rest) as a call for saved states, which the versions spell differently, and
+ * FMI_KINDS as the first kind that it lacks. */
 
 ANSWERS(set_logging, (void *instance, bool on, size_t count, const char *const names[]),
         FMI(SetDebugLogging)(instance, on, count, names))

@@ -1,5 +1,5 @@
-/* The calls that FMI 2.0 and 3.0 both have, one table of them for each version, so that what both promise is
- * tested by one text, which is run once for each and fails under the version's name. */
+/* Table of the calls that FMI 2.0 and 3.0 both have, one for each version. One test checks both versions, and
+ * fails under the name of the version. */
 #ifndef TDMF_TESTS_FMI_INTERFACE_H
 #define TDMF_TESTS_FMI_INTERFACE_H
 
@@ -37,7 +37,7 @@ typedef struct {
 
 typedef struct fmi_interface {
     fmi_kind kinds; /* the first kind that the version lacks */
-    /* NULL where it is refused. */
+    /* Returns NULL if it is refused. */
     void *(*instantiate)(fmi_kind kind, const char *name, const char *token, bool has_logger, bool logging);
     void (*free)(void *instance);
     fmi_status (*set_logging)(void *instance, bool on, size_t count, const char *const names[]);
@@ -47,7 +47,7 @@ typedef struct fmi_interface {
     fmi_status (*enter_event_mode)(void *instance);
     fmi_status (*update)(void *instance, update_answer *answer);
     fmi_status (*enter_continuous_time_mode)(void *instance);
-    fmi_status (*enter_step_mode)(void *instance); /* of FMI 3.0 alone */
+    fmi_status (*enter_step_mode)(void *instance); /* in FMI 3.0 only */
     fmi_status (*complete_step)(void *instance, bool *asks_for_event_mode, bool *asks_to_stop);
     fmi_status (*do_step)(void *instance, double time, double step, step_answer *answer);
     fmi_status (*terminate)(void *instance);
@@ -61,7 +61,7 @@ typedef struct fmi_interface {
     fmi_status (*get_reals)(void *instance, const uint32_t references[], size_t count, double values[]);
     fmi_status (*set_reals)(void *instance, const uint32_t references[], size_t count, const double values[]);
     fmi_status (*get_integer)(void *instance, uint32_t reference, int *value);
-    fmi_status (*get_item)(void *instance, uint32_t reference, int *value); /* of an enumeration */
+    fmi_status (*get_item)(void *instance, uint32_t reference, int *value); /* enumerations */
     fmi_status (*set_item)(void *instance, uint32_t reference, int value);
     fmi_status (*get_truth)(void *instance, uint32_t reference, bool *value);
     fmi_status (*set_truth)(void *instance, uint32_t reference, bool value);
@@ -120,13 +120,13 @@ void update_and_go_on(const fmi_interface *fmi, void *instance, fmi_kind kind);
 /* Takes an instance through initialization to the mode in which time advances. */
 void begin(const fmi_interface *fmi, void *instance, fmi_kind kind);
 
-/* A step of Co-Simulation from where the instance stands; asserts that it is made. */
+/* Makes a step of Co-Simulation from the present time; asserts that it succeeds. */
 void step_by(const fmi_interface *fmi, void *instance, double step);
 
 /* Writes the saved state of an instance, and returns the number of its bytes; asserts that there is room. */
 size_t save_bytes(const fmi_interface *fmi, void *instance, unsigned char bytes[SERIALIZED_BYTES]);
 
-/* Makes an instance what such bytes say; what refuses them leaves no state. */
+/* Restores a state from such bytes. If they are refused, no saved state is left. */
 fmi_status restore_bytes(const fmi_interface *fmi, void *instance,
                          const unsigned char bytes[SERIALIZED_BYTES], size_t size);
 

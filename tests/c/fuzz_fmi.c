@@ -20,7 +20,7 @@ typedef struct {
     fmi_kind kind;
     bool returns_early; /* with events */
     void *instance;
-    void *saved; /* of this instance or an earlier one */
+    void *saved; /* state of this instance or an earlier one */
     unsigned char bytes[SERIALIZED_BYTES];
     size_t size;
 } subject;
@@ -166,7 +166,7 @@ static void change_mode(void *self) {
     }
 }
 
-/* Before the start any variable may be set; most of these runners run. */
+/* Sets some variables at random before the start; most of these runners run. */
 static void set_before_start(const subject *on) {
     for (int i = 0; i < 5; ++i) {
         const uint32_t reference = (uint32_t)random_index(on->source, fmu_variable_count);
@@ -179,7 +179,7 @@ static void set_before_start(const subject *on) {
     }
 }
 
-/* An event iteration, with a jump of what may be set then, and back to where time goes on. */
+/* An event iteration, in which a setting may jump, and back to the mode in which time advances. */
 static void handle_event(const subject *on, double probability_of_jump) {
     update_answer answer;
     if (probability_of_jump == 1.0 || (!is_fmi2() && random_chance(on->source, probability_of_jump))) {

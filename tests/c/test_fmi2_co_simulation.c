@@ -31,7 +31,7 @@ TEST(an_input_goes_on_at_its_rate_until_it_is_set) {
     assert_true(get_real(component, "ground.friction") == 0.5);
 }
 
-/* The power of a leg that is made longer follows from the rate of its extension. */
+/* The power of a leg that lengthens follows from the rate of its extension. */
 TEST(a_rate_that_is_set_is_in_the_next_derivatives) {
     fmi2Component component = running_slave();
     while (get_whole(component, "contact.mode_index") == TDMF_CONTACT_FLIGHT) {
@@ -42,7 +42,7 @@ TEST(a_rate_that_is_set_is_in_the_next_derivatives) {
     assert_true(get_real(component, "der(leg.work)") != 0.0);
 }
 
-/* A fall freezes the runner; inputs are the importer's, and go on. */
+/* A fall freezes the runner, but not the inputs, which belong to the importer. */
 TEST(an_input_goes_on_at_its_rate_after_a_fall) {
     fmi2Component component = new_slave();
     assert_int_equal(set_real(component, "foot.y", 100.0), fmi2OK);
@@ -109,7 +109,7 @@ TEST(output_derivatives_go_with_the_rates_of_inputs) {
     }
 }
 
-/* A rate that is set since is forgotten with the rest. */
+/* Restoring a state also replaces rates that were set since it was saved. */
 TEST(rates_go_with_a_saved_run) {
     unsigned char bytes[SERIALIZED_BYTES], ends[2][SERIALIZED_BYTES];
     fmi2Component component = running_slave(), other = new_slave();

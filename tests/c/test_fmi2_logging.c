@@ -67,10 +67,10 @@ TEST(an_instance_made_without_logging_is_silent) {
     assert_int_equal(message_count, 0);
 }
 
-/* "On" replaces what an instance was made with; "off" takes a category from the others. */
+/* "On" replaces the categories that an instance was made with; "off" switches one category off. */
 TEST(categories_are_switched_on_and_off) {
     static const struct {
-        bool begins, logging; /* with an instance that was made so */
+        bool begins, logging; /* a row that begins makes a new instance, with this logging */
         fmi2Boolean on;
         size_t count;
         const char *const *names;
@@ -138,7 +138,7 @@ static fmi2Component stepped(fmi2Boolean logging, int method, double step) {
     return component;
 }
 
-/* One step over ten strides, and the same in short steps: each event is told once, in order, at its time. */
+/* Ten strides in one step and in short steps: each event is reported once, in order, with its time. */
 TEST(every_event_of_a_step_is_logged_with_its_time) {
     static const double steps[] = {251.0, 0.25};
     static char first[EVENTS_OF_TEN_STRIDES][MESSAGE_LENGTH];
@@ -212,7 +212,7 @@ TEST(logging_changes_no_bit_of_a_run) {
     assert_true(compared == 9 || compared == 18);
 }
 
-/* A step that is logged goes by portions of events; the next, silent one has all of its events again. */
+/* A logged step runs in portions of events; the silent step after it has no such limit. */
 TEST(a_silent_step_after_a_logged_one_goes_as_far) {
     fmi2Component component = stepped(fmi2True, SOLVER_NATIVE, ten_strides);
     assert_int_equal(fmi2SetDebugLogging(component, fmi2False, 0, NULL), fmi2OK);
@@ -221,7 +221,7 @@ TEST(a_silent_step_after_a_logged_one_goes_as_far) {
     assert_int_equal(get_whole(component, "event.count"), 2 * EVENTS_OF_TEN_STRIDES);
 }
 
-/* The driver goes on in portions of steps, which share one log of events. With a leg so stiffly damped, one
+/* The driver runs in portions of steps, which share one log of events. The leg is damped so stiffly that one
  * portion ends between both events. */
 TEST(events_among_very_many_steps_are_logged_once) {
     fmi2Component component = logging_instance(fmi2True);
@@ -304,8 +304,8 @@ TEST(every_guard_gives_its_event_its_name) {
     }
 }
 
-/* A foot found below the ground moving up was put there by rounding: it is lifted, and that is no event. But
- * a landing that throws the foot off again at once is one, although the modes are what they were. */
+/* A foot below the ground that moves up got there by rounding: lifting it is not an event. A landing that
+ * throws the foot off again at once is an event, although the mode is the same before and after. */
 TEST(what_is_an_event_does_not_go_by_the_modes_alone) {
     for (int i = 0; i < 2; ++i) {
         const double vy = i == 0 ? 1e-3 : -1e-3;
@@ -324,7 +324,8 @@ TEST(what_is_an_event_does_not_go_by_the_modes_alone) {
     }
 }
 
-/* Model Exchange: the importer stops where a guard is down, and what is taken there is named by it. */
+/* The importer stops where a guard is negative in Model Exchange, and the event there has the name of the
+ * guard. */
 TEST(an_event_of_model_exchange_is_named_by_its_guard) {
     double states[TDMF_STATE_COUNT];
     fmi2EventInfo info;

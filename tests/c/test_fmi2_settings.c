@@ -13,7 +13,7 @@
 
 enum { TUNABLE_PARAMETERS = 7, DISCRETE_INPUTS = 5, EITHER = TUNABLE_PARAMETERS + DISCRETE_INPUTS };
 
-/* Their value references; asserts how many there are. */
+/* Lists the value references of all settings that change at events; asserts their number. */
 static void list_settings(fmi2ValueReference found[EITHER]) {
     int parameters = 0, count = 0;
     for (size_t i = 0; i < fmu_variable_count; ++i) {
@@ -35,8 +35,8 @@ static double value_at(fmi2Component component, fmi2ValueReference reference) {
 
 /* ---- when, and what ----------------------------------------------------------------------------------- */
 
-/* Asserts that each takes a new value and refuses one beyond its range, alone and beside another that is
- * allowed. */
+/* Asserts that each setting takes a new value and refuses one beyond its range, alone and in one call with a
+ * setting whose value is allowed. */
 static void assert_all_are_set(fmi2Component component) {
     fmi2ValueReference settings[EITHER];
     list_settings(settings);
@@ -77,7 +77,7 @@ TEST(they_are_set_between_communication_steps) {
     assert_all_are_set(component);
 }
 
-/* Solvers of some importers set all inputs where they evaluate, after an event those of before it, too. */
+/* Solvers of some importers set all inputs at each evaluation; after an event, to the values before it. */
 TEST(in_continuous_time_mode_they_keep_their_values) {
     fmi2Component component = new_instance();
     fmi2ValueReference settings[EITHER];
@@ -139,7 +139,7 @@ TEST(a_setting_is_in_force_at_once) {
     assert_close(get_real(component, "hip.torque"), -0.17, 1e-16);
 }
 
-/* The library's run, another set of laws from `change` on. */
+/* Run of the library whose settings change at time `change`. */
 static simulation run_of_the_library(double change, double end) {
     tdmf_parameters parameters = tdmf_default_parameters();
     const tdmf_inputs inputs = tdmf_default_inputs();

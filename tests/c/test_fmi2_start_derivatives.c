@@ -15,8 +15,8 @@
 
 enum { MAX_VARIABLES = 160 };
 
-/* A start by its values, and the knowns by which nothing is differentiable there: a step either way makes
- * another mode of it. */
+/* A start: its values, its modes, and its edges, the knowns by which it is not differentiable, because a step
+ * either way leads to another mode. */
 typedef struct {
     const char *what, *values;
     int contact, phase;
@@ -75,12 +75,12 @@ static const start starts[] = {
      TDMF_CONTACT_STICK, TDMF_PHASE_DRIVE, "foot.y"},
 };
 
-/* A foot on the ground is on the edge of what moves the ground, too. */
+/* True for an edge of a start. If foot.y is an edge, so is everything that moves the ground. */
 static bool is_edge(const start *start, const char *given) {
     const bool moves_ground = strcmp(given, "ground.height") == 0 || strcmp(given, "ground.slope") == 0;
     const char *name = moves_ground ? "foot.y" : given, *found = strstr(start->edges, name);
     const size_t length = strlen(name);
-    while (found != NULL && found[length] != ' ' && found[length] != '\0') { /* of a longer name */
+    while (found != NULL && found[length] != ' ' && found[length] != '\0') { /* part of a longer name */
         found = strstr(found + length, name);
     }
     return found != NULL;

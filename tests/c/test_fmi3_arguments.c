@@ -149,7 +149,7 @@ TEST(counts_of_work_end_at_the_largest_integer) {
     assert_int_equal(get_whole(component, "solver.evaluations"), INT_MAX);
 }
 
-/* Out of memory, say: enumerations have no value 0, and there is a start to read. */
+/* Instances can fail before the run, for example without memory. Their enumerations still have no value 0. */
 TEST(an_instance_that_fails_before_its_run_shows_its_start) {
     const fmi2ValueReference mode = reference_of("contact.mode");
     fmi2Integer value = 77;
@@ -165,7 +165,7 @@ TEST(an_instance_that_fails_before_its_run_shows_its_start) {
     assert_int_equal(value, 77);
 }
 
-/* The force of this instant is met before an input may change it: the stride's peak has it. */
+/* The force of the instant before an input changes it counts for the peak of the stride. */
 TEST(event_mode_is_entered_with_the_force_noted) {
     double states[TDMF_STATE_COUNT];
     fmi2Component component = new_instance();
@@ -216,8 +216,8 @@ static step_answer step_of(fmi3Instance instance, double angle_rate, double end)
     return answer;
 }
 
-/* A step that ends at the very instant of an event has one to handle, but has not returned early. An event is
- * known finer than a step's end, so that only every other runner's step can end at its own. */
+/* A step that ends exactly at an event reports the event, but not an early return. The time of an event is
+ * known more finely than the end of a step, so only every other runner's step can end at its event. */
 TEST(a_step_that_ends_at_an_event_is_not_early) {
     enum { RUNNERS = 20 };
     int met = 0;

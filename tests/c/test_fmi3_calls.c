@@ -101,7 +101,7 @@ TEST(every_variable_is_read_by_its_own_type_only) {
     }
 }
 
-/* Beyond what an Integer of FMI 2.0 holds, too. */
+/* The values include some that do not fit an Integer of FMI 2.0. */
 TEST(enumerations_are_set_in_range_only) {
     const fmi3ValueReference method = reference_of("solver.method");
     static const fmi3Int64 bad[] = {INT64_MAX, INT64_MIN, (INT64_C(1) << 32) + 2};

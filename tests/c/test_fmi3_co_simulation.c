@@ -10,8 +10,8 @@
 #include <math.h>
 #include <string.h>
 
-static const double period = 25.000146165488143; /* of the gait at the default start */
-static const double touchdown = 12.03;           /* of it, roughly */
+static const double period = 25.000146165488143; /* period of the gait at the default start */
+static const double touchdown = 12.03;           /* time of its first touchdown, roughly */
 static const double ten_strides = 251.0;
 
 enum { EVENTS_OF_A_STRIDE = 9, MAX_EVENTS = 1000, STATES_COMPARED = 8 };
@@ -44,7 +44,7 @@ static step_answer step_from(fmi3Instance instance, double time, double step) {
     return answer;
 }
 
-/* Updates under another friction, unless that is NAN, in event mode. */
+/* Enters event mode, sets the friction unless it is NAN, and updates. */
 static update_answer update_with(fmi3Instance instance, double friction) {
     update_answer answer;
     assert_int_equal(fmi3EnterEventMode(instance), fmi3OK);
@@ -227,8 +227,8 @@ TEST(inputs_jump_in_event_mode) {
     step_from(instance, step.time, 1e-3);
 }
 
-/* Friction is another when the event is handled: the foot lands as the impact map has it for that friction,
- * from the velocity that it has before. */
+/* The friction changes while the event is handled: the velocity after the impact is that of the impact map
+ * with the new friction. */
 TEST(inputs_set_at_an_event_act_on_it) {
     static const double frictions[] = {0.0, 0.3, 0.6, 1.0, 10.0};
     for (size_t i = 0; i < sizeof frictions / sizeof frictions[0]; ++i) {
@@ -247,8 +247,8 @@ TEST(inputs_set_at_an_event_act_on_it) {
     }
 }
 
-/* An apex, taken under another friction than it was found with, is latched at the time at which the unit
- * stands, not at the one found anew, which is a rounding error later where the runner is heavy. */
+/* An apex that is taken with another friction than it was found with is latched at the time of the unit. The
+ * time of a second search would be a rounding error later for a heavy runner. */
 TEST(an_apex_taken_anew_has_the_time_of_its_event) {
     static const double starts[] = {0.0, 1.0, 1e3};
     for (size_t i = 0; i < sizeof starts / sizeof starts[0]; ++i) {

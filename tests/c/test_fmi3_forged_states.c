@@ -1,5 +1,6 @@
-/* Serialized states that were changed and given a right checksum: what makes no sense is refused and changes
- * nothing; whatever is accepted can be gone on with. Any FMI version and interface reads the same bytes. */
+/* Serialized states that were changed and given a right checksum. A state that makes no sense is refused and
+ * changes nothing; a run can go on from every state that is accepted. Any FMI version and interface reads the
+ * same bytes. */
 #include "instance.h" /* before cmocka, which takes a name of it for a macro */
 #include "sample.h"
 
@@ -61,12 +62,12 @@ static void assert_numbers(fmi3Instance instance) {
     }
 }
 
-/* Forged parameters may be as stiff as they like. */
+/* Limits the steps of a call, because forged parameters may be arbitrarily stiff. */
 static void limit_steps(fmi3Instance instance) {
     ((struct instance *)instance)->fmu.step_limit = 200;
 }
 
-/* Goes on a little, wherever the state says that the instance stands. */
+/* Runs a little further, from any state of the call sequence. */
 static void go_on(fmi3Instance instance, fmi_kind kind) {
     step_answer step = {false, false, false, 0.0};
     update_answer answer;
@@ -179,8 +180,8 @@ static void assert_refused(fmi_kind kind, serialized *state, const char *reason)
     go_on(instance, kind);
 }
 
-/* Forges a number of an instance's state in each place where it stands. Returns how often that is refused
- * with this reason; where it is not, the instance goes on. */
+/* Forges each copy of a number in the state of an instance. Returns how often the forged state is refused
+ * with this reason; otherwise the instance goes on. */
 static int refusals(fmi3Instance instance, fmi_kind kind, double number, double forged, const char *reason) {
     serialized good;
     int refused = 0;
@@ -224,9 +225,8 @@ TEST(a_parameter_out_of_range_is_refused) {
     assert_refused(STEPS, &bad, "leg.min_length = 2 m is refused");
 }
 
-/* The slope is an input and that of the line that it has set, wherever a run takes them from. A word is held
- * as its code, and a count is a number of things. A pending event is at the time of the run, wherever that is
- * written. */
+/* The slope is stored as an input and as the slope of the ground line. A word is stored as its code. A count
+ * is a whole number. A pending event is at the time of the run, which is stored several times. */
 TEST(a_number_that_cannot_be_is_refused_wherever_it_stands) {
     static const struct {
         const char *name;
@@ -274,7 +274,7 @@ TEST(a_time_beyond_any_clock_is_refused) {
     }
 }
 
-/* A foot that sticks, lifted to where it was in flight. */
+/* The foot sticks in the saved state, and is lifted to its height in flight. */
 TEST(a_contact_in_the_air_is_refused) {
     serialized state;
     fmi3Instance instance = new_stepper(false, false);
@@ -306,7 +306,7 @@ TEST(a_call_state_that_the_interface_has_not_is_refused) {
     }
 }
 
-/* Before the start there is none either, nor anything that came of it. */
+/* A state from before the start has no pending event either. */
 TEST(an_event_is_pending_in_event_mode_only) {
     static const int claims[][2] = {{CO_SIMULATION, STEP_MODE}, {MODEL_EXCHANGE, EVENT_MODE}};
     const int before = INSTANTIATED;
@@ -323,7 +323,7 @@ TEST(an_event_is_pending_in_event_mode_only) {
     assert_refused(STEPS_WITH_EVENTS, &state, "refused");
 }
 
-/* Returns how many events there were. */
+/* Runs to a time, stopping for every event; returns the number of events. */
 static int run_to(fmi3Instance instance, fmi_kind kind, double end) {
     int events = 0;
     step_answer step = {.event = kind == STEPS_WITH_EVENTS};

@@ -71,7 +71,7 @@ FMI_TEST(refuses_null_instances) {
 
 /* ---- call sequence ------------------------------------------------------------------------------------ */
 
-/* A call as the tables below want it. */
+/* Defines a call for the table below. */
 #define CALL(name, ...)                                                                                      \
     static fmi_status call_##name(const fmi_interface *fmi, void *instance) {                                \
         (void)fmi;                                                                                           \
@@ -103,7 +103,7 @@ CALL(get_nominals, fmi->get_nominals(instance, numbers, TDMF_STATE_COUNT))
 CALL(get, fmi->get_reals(instance, &reference, 1, numbers))
 CALL(set_input, set_value(fmi, instance, "ground.friction", 0.6))
 CALL(set_state, set_value(fmi, instance, "foot.vx", 1.0))
-/* One that no event makes jump: reinit = false. */
+/* No event makes this state jump: reinit = false. */
 CALL(set_smooth_state, set_value(fmi, instance, "foot.x", 1.0))
 CALL(set_parameter, set_value(fmi, instance, "body.mass", 1.0))
 CALL(set_logging, fmi->set_logging(instance, false, 1, events_category))
@@ -163,7 +163,7 @@ typedef struct {
     unsigned allowed;
 } rule;
 
-/* The same in both versions. */
+/* Rules of a call that both versions have, with the same states. */
 #define ALIKE(name, allowed)                                                                                 \
     {"fmi2" name, allowed}, {                                                                                \
         "fmi3" name, allowed                                                                                 \
@@ -171,8 +171,8 @@ typedef struct {
 #define NONE                                                                                                 \
     { NULL, 0 }
 
-/* The table of FMI 2.0, section 3.2.3, and the state machines of FMI 3.0, sections 2.3, 3.2 and 4.2, and
- * start values beside them, which importers ask for in good time. */
+/* Rules from the table of FMI 2.0, section 3.2.3, and from the state machines of FMI 3.0, sections 2.3, 3.2
+ * and 4.2. In addition, values may be read before initialization, because importers do. */
 static const struct {
     fmi_status (*call)(const fmi_interface *fmi, void *instance);
     rule fmi2, fmi3;
@@ -241,7 +241,7 @@ static void *instance_at(const fmi_interface *fmi, unsigned situation) {
     return instance;
 }
 
-/* Returns whether the call was refused. */
+/* Makes a call in a situation and checks its answer. True if the call was refused. */
 static bool check(const fmi_interface *fmi, size_t i, unsigned situation) {
     const rule rule = fmi == &fmi2 ? calls[i].fmi2 : calls[i].fmi3;
     const bool allowed = (rule.allowed & situation) != 0;

@@ -18,7 +18,7 @@ int feenableexcept(int exceptions); /* GNU extensions, hidden by -std=c99 */
 int fedisableexcept(int exceptions);
 #endif
 
-static const double period = 25.000146165488143; /* of the gait at the default start */
+static const double period = 25.000146165488143; /* period of the gait at the default start */
 
 static void run(const fmi_interface *fmi, void *instance, double from, double to, double step) {
     step_answer answer;
@@ -44,8 +44,8 @@ FMI_TEST(steps_arrive_and_the_grid_does_not_matter) {
     }
 }
 
-/* The unit runs a smaller page where only the hip drives the runner. A leg that is set longer by nothing that
- * matters makes it run the whole page. */
+/* The unit runs a smaller page if only the hip drives the runner. A negligible extension of the leg makes it
+ * run the whole page. */
 FMI_TEST(a_smaller_page_changes_no_result) {
     void *plain = new_of_kind(fmi, STEPS), *whole = new_of_kind(fmi, STEPS);
     int compared = 0;
@@ -68,7 +68,7 @@ FMI_TEST(a_smaller_page_changes_no_result) {
     assert_int_equal(integer_of(fmi, plain, "stride.word_code"), integer_of(fmi, whole, "stride.word_code"));
 }
 
-/* The latch of the last stride is that of the stride, not of one before. */
+/* The latched work of a stride contains no work of an earlier stride. */
 FMI_TEST(the_work_of_a_thrust_is_no_more_in_later_strides) {
     void *instance = new_of_kind(fmi, STEPS);
     assert_int_equal(set_value(fmi, instance, "leg.thrust", 1e-3), FMI_OK);
@@ -101,10 +101,10 @@ static void start_at_apex(const fmi_interface *fmi, void *instance, double frict
     initialize_unit(fmi, instance);
 }
 
-/* Also where steps end at events. */
+/* Steps may also end at events. */
 FMI_TEST(a_stride_takes_the_proved_time) {
     step_answer answer;
-    const tdmf_parameters parameters = table_1(true).parameters; /* as it was proved */
+    const tdmf_parameters parameters = table_1(true).parameters; /* those of the proof */
     for (int i = 0; i < PROVED_GAITS; ++i) {
         const proved_gait *gait = &proved_gaits[i];
         for (int stops = 0; stops < 2; ++stops) {
@@ -181,7 +181,7 @@ static const char *const compared[COMPARED] = {
     "stride.period", "stride.length",      "stride.speed",      "stride.stance_time",
     "stride.work",   "stride.duty_factor", "stride.peak_force", "stride.peak_vertical_force"};
 
-/* Four strides from a start time; what they were. */
+/* Runs four strides from a start time, and reads the quantities of the last one. */
 static void run_from(const fmi_interface *fmi, double start, double step, double quantities[COMPARED]) {
     void *instance = new_of_kind(fmi, STEPS);
     initialize_unit_at(fmi, instance, start);
@@ -194,7 +194,7 @@ static void run_from(const fmi_interface *fmi, double start, double step, double
     assert_true(fabs(value_of(fmi, instance, "apex.time") - start - 4.0 * period) < 1e-3 + 1e-15 * start);
 }
 
-/* The clock may count the seconds of an epoch, or be coarser than a mode is long. */
+/* The clock may count the seconds since 1970, or be coarser than the duration of a mode. */
 FMI_TEST(strides_do_not_depend_on_the_start_time) {
     static const double starts[] = {1.7e9, 1e13};
     static const double steps[] = {0.1, 0.25, 7.0};

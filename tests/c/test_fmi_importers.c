@@ -1,5 +1,5 @@
-/* Calls that importers make of both FMI versions and the standards allow, or leave the instance to outlive:
- * of PyFMI, FMUChecker, fmusim, and of whoever asks for nothing. */
+/* Unusual calls of importers such as PyFMI, FMUChecker and fmusim, in both FMI versions. The standards allow
+ * them, or they must at least not harm the instance. */
 #include "compare.h"
 #include "fmi2_importer.h"
 #include "fmi3_importer.h"
@@ -13,7 +13,7 @@
 
 /* ---- reading before initialization, as PyFMI's load_fmu and get --------------------------------------- */
 
-/* The rest is what it would be if the run began now: the same as after the start. */
+/* Calculated variables have the values with which the run would begin now, as after the start. */
 FMI_TEST(all_is_read_before_initialization) {
     static double before[256];
     int starts = 0;
@@ -45,7 +45,7 @@ FMI_TEST(all_is_read_before_initialization) {
     assert_int_equal(integer_of(fmi, instance, "contact.mode"), TDMF_CONTACT_FLIGHT);
 }
 
-/* An enumeration never reads 0, which is none of its values, whatever was refused before. */
+/* Enumerations never read 0, which is not one of their values, not even after a refusal. */
 FMI_TEST(enumerations_have_a_value_of_theirs_after_refusals) {
     for (int kind = EXCHANGE; kind < (int)fmi->kinds; ++kind) {
         step_answer answer;
@@ -57,7 +57,8 @@ FMI_TEST(enumerations_have_a_value_of_theirs_after_refusals) {
     }
 }
 
-/* They cannot tell of a run that cannot begin; nothing is spoilt by asking. */
+/* Calculated values are refused, because the run cannot begin; the refusal leaves all output arguments alone.
+ */
 TEST(contradicting_start_values_are_read_and_what_follows_is_not) {
     const fmi2ValueReference mode = reference_of("contact.mode"), word = reference_of("stride.word"),
                              height = reference_of("body.y");
@@ -98,7 +99,7 @@ FMI_TEST(states_set_one_by_one_are_states_set_as_a_whole) {
     assert_true(value_of(fmi, single, "body.y") == value_of(fmi, whole, "body.y"));
 }
 
-/* A solver's trial may lie beyond any start: below the ground, or nowhere. */
+/* A solver's trial state may lie beyond all starts: below the ground, or at infinity. */
 FMI_TEST(trial_states_go_beyond_the_range_of_starts) {
     static const double trials[] = {-1e-9, -5.0, 1e300, INFINITY, -INFINITY};
     const uint32_t pair[] = {reference_of("foot.x"), reference_of("leg.length")};
@@ -123,7 +124,7 @@ FMI_TEST(trial_states_go_beyond_the_range_of_starts) {
     assert_true(value_of(fmi, instance, "foot.x") == x);
 }
 
-/* Those have reinit = false and are taken in Model Exchange only (FMI 3.0.2, section 2.3.5). */
+/* States with reinit = false can be set in event mode of Model Exchange only (FMI 3.0.2, section 2.3.5). */
 TEST(event_mode_takes_states_that_no_event_changes) {
     int taken = 0;
     fmi3Instance exchange = new_exchange(), stepper = new_stepper(true, true);
@@ -229,7 +230,7 @@ TEST(discrete_states_are_evaluated_by_doing_nothing) {
 
 /* ---- after an error ------------------------------------------------------------------------------------ */
 
-/* An input so steep that the step cannot be made. */
+/* An instance that failed, because a ramp of an input was too steep for its step. */
 static fmi2Component failed_slave(void) {
     const fmi2ValueReference friction = reference_of("ground.friction");
     const fmi2Integer first = 1;
@@ -259,7 +260,7 @@ TEST(a_failed_step_leaves_what_may_be_read_and_saved) {
     assert_int_equal(fmi2DoStep(component, 0.0, 1.0, fmi2True), fmi2OK);
 }
 
-/* A refused step leaves the run where it was: the right one is made then. */
+/* A refused step leaves the run as it was, so that the right step can follow. */
 FMI_TEST(a_step_out_of_place_is_made_good) {
     step_answer answer;
     void *instance = new_of_kind(fmi, STEPS);

@@ -1,5 +1,4 @@
-/* Values that are set, and Model Exchange: what is refused or discarded, with which words, and what stays as
- * it was. */
+/* Setting of values, and Model Exchange: refusals and their messages, and what stays as it was. */
 #include "compare.h"
 #include "fmi_interface.h"
 
@@ -175,7 +174,7 @@ FMI_TEST(a_state_that_is_not_a_number_is_discarded) {
     }
 }
 
-/* Goes to given states and updates there. */
+/* Sets states in continuous-time mode, enters event mode, and updates. */
 static void update_at(const fmi_interface *fmi, void *instance, const double states[TDMF_STATE_COUNT],
                       update_answer *answer) {
     assert_int_equal(fmi->set_states(instance, states, TDMF_STATE_COUNT), FMI_OK);
@@ -244,8 +243,8 @@ FMI_TEST(nominals_follow_the_parameters) {
     }
 }
 
-/* The page of a calm flight has no push. One that an importer sets acts at once, and its derivative is there
- * before. */
+/* Flight without an external force is a mode of its own. A force that an importer sets acts at once, and the
+ * derivative by the force is right before. */
 FMI_TEST(a_push_on_a_calm_flight_acts_at_once) {
     const uint32_t unknown = reference_of("der(leg.angle_rate)"), known = reference_of("body.external_fx");
     const double one = 1.0, step = 1e-3;

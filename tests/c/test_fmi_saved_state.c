@@ -10,7 +10,7 @@
 #include <string.h>
 
 static const fmi_experiment from_zero = {.start = 0.0};
-static const double step_size = 2e-3; /* s, of Euler's method */
+static const double step_size = 2e-3; /* time step of Euler's method, s */
 
 /* A fresh instance of Co-Simulation that has made one step of this length. */
 static void *new_after(const fmi_interface *fmi, double step) {
@@ -20,7 +20,7 @@ static void *new_after(const fmi_interface *fmi, double step) {
     return instance;
 }
 
-/* All that two instances would save, and what they say of it. */
+/* Asserts that two instances have equal saved states, and equal values of some variables. */
 static void assert_same(const fmi_interface *fmi, void *a, void *b) {
     static const char *const names[] = {"time",
                                         "foot.x",
@@ -96,7 +96,7 @@ FMI_TEST(model_exchange_restores_its_call_state) {
     assert_int_equal(fmi->free_saved(instance, &saved), FMI_OK);
 }
 
-/* Fails in its first step: the runner is too stiff. */
+/* An instance that fails in its first step, because the runner is too stiff. */
 static void *new_failed(const fmi_interface *fmi, void **before) {
     step_answer answer;
     void *failed = new_of_kind(fmi, STEPS);
@@ -118,7 +118,7 @@ FMI_TEST(an_error_is_left_by_an_older_state) {
     assert_int_equal(fmi->free_saved(failed, &saved), FMI_OK);
 }
 
-/* Either version's standard lets a failed instance be saved: restored, it has failed. */
+/* Both standards allow saving a failed instance; the restored instance has failed, too. */
 FMI_TEST(an_instance_after_an_error_is_saved_as_such) {
     unsigned char bytes[SERIALIZED_BYTES];
     step_answer answer;
@@ -186,7 +186,8 @@ FMI_TEST(states_of_other_interfaces_are_refused) {
     assert_int_equal(refused, fmi->kinds * (fmi->kinds - 1));
 }
 
-/* fmusim 0.0.39 frees a state so. It stays the caller's, who has lost it. */
+/* fmusim 0.0.39 passes a state instead of its address. The state is not freed, and the importer has lost it.
+ */
 FMI_TEST(a_state_passed_where_its_address_is_due_is_left_alone) {
     void *saved = NULL;
     void *instance = new_after(fmi, 12.0), *twin = new_after(fmi, 12.0);
@@ -290,8 +291,8 @@ FMI_TEST(a_changed_run_is_resumed) {
     }
 }
 
-/* Looks into the instance: a field that was forgotten shows itself in other runs only. Nothing is remembered
- * of the last event that was taken. */
+/* The test compares the fields of the instances, because a forgotten field would show in other runs only.
+ * Nothing is remembered of the last event that was taken. */
 FMI_TEST(a_saved_state_holds_all_of_a_unit) {
     int pending = 0;
     for (fmi_kind kind = EXCHANGE; kind < fmi->kinds; ++kind) {
@@ -315,7 +316,7 @@ FMI_TEST(a_saved_state_holds_all_of_a_unit) {
     assert_int_equal(pending, fmi->kinds > STEPS_WITH_EVENTS ? 50 : 0);
 }
 
-/* Saved before initialization or in it, the run begins from the start values that the state holds, but for
+/* A run from a state that was saved before the start begins from the start values in the state, except for
  * those set since. */
 FMI_TEST(a_state_from_before_the_start_takes_more_start_values) {
     for (int i = 0; i < 2 * (int)fmi->kinds; ++i) {
@@ -346,8 +347,8 @@ FMI_TEST(a_state_from_before_the_start_takes_more_start_values) {
     }
 }
 
-/* The state of a run with other parameters: these, what follows from them and what was shown of the old ones
- * are gone. */
+/* Restoring a run replaces the parameters, all that follows from them, and the values that were computed
+ * before. */
 FMI_TEST(restoring_replaces_parameters_and_what_follows_from_them) {
     const fmi_experiment coarse = {true, 1e-3, 0.0, true, 14.0};
     void *saved = NULL;

@@ -20,7 +20,7 @@ static void set_clamp(const fmi_interface *fmi, void *instance, bool clamp) {
     assert_int_equal(fmi->set_truth(instance, clamp_reference(), clamp), FMI_OK);
 }
 
-/* Rising, the leg behind and on its way forward, so that the servo pulls it back. */
+/* A rising runner whose leg is behind and swings forward, so that the servo pulls the leg back. */
 static void *new_rising(const fmi_interface *fmi, fmi_kind kind, bool clamp) {
     void *instance = new_of_kind(fmi, kind);
     set_clamp(fmi, instance, clamp);
@@ -126,7 +126,7 @@ FMI_TEST(without_it_derivatives_are_those_of_the_servo) {
 
 /* ---- saved states -------------------------------------------------------------------------------------- */
 
-/* A clamp that is neither there nor not is refused, wherever the state has it. */
+/* A clamp that is neither 0 nor 1 is refused in each place of the state. */
 FMI_TEST(a_forged_state_has_a_clamp_or_none) {
     static const double forged[] = {0.5, 2.0}, truth = 1.0;
     unsigned char saved[SERIALIZED_BYTES];

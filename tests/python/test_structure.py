@@ -80,7 +80,7 @@ class Unit:
 
 
 class Probe:
-    """An instance, of which everything may be read and much be set."""
+    """An instance whose variables can be read and set by name."""
 
     def __init__(self, unit, kind, **options):
         self.unit = unit
@@ -109,7 +109,7 @@ class Probe:
         getattr(self.model, f"set{kind}")([self.unit.variables[name].valueReference], [value])
 
     def begin(self, start, time=0.0):
-        """Into Initialization Mode, with start values."""
+        """Enter Initialization Mode and set start values."""
         self.model.enterInitializationMode(startTime=time)
         for name, value in start.items():
             self.write(name, value)
@@ -145,12 +145,12 @@ class Observed:
 
 
 def elsewhere(draw, name, value):
-    """A little off, and two jumps."""
+    """Values to try: one a little off, and two jumps."""
     return [value + 1e-3, *(draw.uniform(*WIDE.get(name, (-2, 2))) for _ in range(2))]
 
 
 def move_inputs(probe, observed, draw, names):
-    """Set each of these inputs elsewhere, and back."""
+    """Set each of these inputs to other values, and back."""
     before = probe.read(observed.of)
     for known in names:
         (value,) = probe.read([known]).values()
@@ -162,7 +162,7 @@ def move_inputs(probe, observed, draw, names):
 
 
 def move_states_and_time(probe, observed, draw):
-    """Set each state elsewhere, and the clock, and back."""
+    """Set each state and the clock to other values, and back."""
     before, states = probe.read(observed.of), probe.states()
     for i, known in enumerate(probe.unit.states):
         for other in elsewhere(draw, known, states[i]):

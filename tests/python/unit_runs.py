@@ -104,7 +104,7 @@ class UnitRun:
         return self.at(time, x, "EventIndicators", self.guards)
 
     def event(self, **values):
-        """Event mode, in which inputs are set."""
+        """Enter event mode, set inputs, and leave it."""
         self.fmu.enterEventMode()
         for name, value in values.items():
             self.write(name.replace("__", "."), value)
