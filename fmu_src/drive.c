@@ -11,8 +11,7 @@
 enum { LOG_SIZE = 32 };
 
 static const long event_limit = 100000; /* events in a call */
-static const long stiff_steps =
-    10000; /* steps in a time scale of the page, beyond which its laws are too stiff for series */
+static const long stiff_steps = 10000; /* steps in a time scale of the page; beyond, its laws are too stiff */
 static const double finest_tolerance = 1e-16;
 
 static bool is_by_cvode(const fmu *fmu) {

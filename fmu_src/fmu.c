@@ -150,7 +150,7 @@ double guard_of_pending_event(const fmu *fmu, const tdmf_guard_kind **kind) {
     return INFINITY;
 }
 
-/* Takes the event at which the run stands, unless what was set since it was found averts it. */
+/* Takes the pending event, unless values that were set since it was found avert it. */
 static bool take_pending_event(fmu *fmu, const struct instance *observer) {
     if (!fmu->event_is_pending) {
         return false;
@@ -214,7 +214,7 @@ const char *fmu_update(fmu *fmu, const struct instance *observer, bool *state_ch
         show_to_world(fmu);
         if (fmu->is_exchange) {
             keep_numbers(fmu, states);
-            take_from_world(fmu); /* what follows is then that of the states as the importer has them */
+            take_from_world(fmu); /* the importer's states are the ones that count */
         }
         account_for_all(fmu);
     }

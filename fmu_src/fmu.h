@@ -115,7 +115,7 @@ static inline double fmu_within_largest(double value) {
     return bounded > -fmu_largest_state ? bounded : -fmu_largest_state;
 }
 
-/* Sets trial states of a solver, which are not NaN. They are limited, so that all that follows stays finite.
+/* Sets trial states of a solver, which are not NaN. They are limited, so that all values stay finite.
  */
 void fmu_try_states(fmu *fmu, const double states[]);
 

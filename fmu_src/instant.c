@@ -136,7 +136,7 @@ void fmu_nominals(const fmu *fmu, double nominals[]) {
     }
 }
 
-/* ---- all that follows ---------------------------------------------------------------------------------- */
+/* ---- values of a run ----------------------------------------------------------------------------------- */
 
 /* Writes at most WORD_CAPACITY characters. A negative number stands for the beginning of a longer word. */
 static void write_word(double number, const char *alphabet, char *text) {

@@ -448,11 +448,11 @@ class RunnerOnOneLine(Runner):
     ground_segment = passes_end = passes_begin = next_segment_comes = crosses_border = patch_has_length = None
 
     def on_segment(r, number):
-        """Nothing: there is one segment."""
+        """No changes, because there is one segment."""
         return {}
 
     def neighbours(r):
-        """Nothing: there is one segment."""
+        """No changes, because there is one segment."""
         return {}
 
 
