@@ -205,7 +205,7 @@ def own_name(node, taken):
 
 
 def uses_of(roots, known=()):
-    """How often each expression is an operand in expressions; those of `known` are left out."""
+    """Number of times that each expression is an operand, without the operands of `known`."""
     return Counter(o for node in ordered(roots, known) if node not in known for o in node.operands)
 
 

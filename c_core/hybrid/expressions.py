@@ -71,7 +71,7 @@ class Expression:
         raise PageError(f"asks a number for `{name}`")
 
     def is_number(self, value):
-        """Whether the expression is this number."""
+        """True if the expression is this number."""
         return self.operation == "number" and self.value == value
 
     def call(self, name):

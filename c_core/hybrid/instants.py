@@ -113,7 +113,7 @@ def roots_in(tree):
 
 
 def tree_in_c(tree, used=None, taken=(), names=(), written=frozenset(), indent="    "):
-    """A merged tree as `if`s. What both branches need or write is computed or written before they part."""
+    """A merged tree as `if`s. Work that both branches share is done before they part."""
     taken, names, roots = dict(taken), set(names), roots_in(tree)
     used = used or Counter(roots) + uses_of(roots)
     all_values = [values.items() for values, _ in leaves_in(tree)[0]]
@@ -190,11 +190,11 @@ class Instants:
         row["vary_react"] = add(f"vary_react_{of}", "vary_react", varied, about)
         watches = page.watches(key, event_name)
         if watches is not True:
-            about = f"Whether {event_name} is watched."
+            about = f"True if {event_name} is watched."
             row["is_watched"] = add(f"watches_{of}", "answer", answer_in_c(watches), about)
         crosses = event.crossing is not None and page.answer(key, event.crossing, event_name)
         if crosses is not False:
-            about = f"Whether {event_name} has to cross zero."
+            about = f"True if {event_name} has to cross zero."
             row["is_crossing"] = add(f"crosses_{of}", "answer", answer_in_c(crosses), about)
         if event.closely or all(page.modes[next_key[0]].ends for next_key in next_keys):
             row["looks_again"] = "true"

@@ -17,7 +17,7 @@ KERNEL void add_{mode}_sums(const {mode}_series *s, int i, int j, {mode}_sums *s
 KERNEL void begin_{mode}_sums(const {mode}_series *s, int i, {mode}_sums *sum) {{
 {middle}}}
 
-/* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
+/* Computes coefficient k + 1 of the states from coefficient k; `odd` selects the sum of coefficient k. */
 KERNEL void step_{mode}(const {mode}_constants *c, const {mode}_factors *by, int k, const {mode}_sums *sum, \
 int odd, {mode}_series *s) {{
 {step}}}
@@ -73,7 +73,7 @@ def expansion_in_c(found, first=()):
 
 
 def divides_by_square(node):
-    """Whether a quantity is divided by the square of another."""
+    """True if a quantity is divided by the square of another."""
     return kind_of(node) == "quotient" and kind_of(node.operands[1]) == "square"
 
 
@@ -285,7 +285,7 @@ class Motion:
             yield self.function_of(f"bounds_{self.name}", given, lines_of(lines), about)
 
     def terms(self, node, more=0):
-        """How many terms a series has: few if it is a polynomial of a low degree."""
+        """Number of terms of a series: few if it is a polynomial of a low degree."""
         degree = dict(zip(self.rates, self.degrees, strict=True)).get(node, NO_DEGREE) + more
         return degree + 1 if degree < LEAST_ORDER else "order"
 

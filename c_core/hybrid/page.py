@@ -139,7 +139,7 @@ class Page:
         return self._watched[key]
 
     def watches(self, key, name):
-        """Whether a mode watches an event: a truth value, or a tree if that depends on numbers."""
+        """Answer whether a mode watches an event: a truth value, or a tree if it depends on numbers."""
         if (key, name) not in self._watches:
             only = self.events[name].only
             self._watches[key, name] = True if only is None else self.answer(key, only, name)

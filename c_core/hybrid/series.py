@@ -11,7 +11,7 @@ from .errors import PageError
 from .expressions import leaves_of, lift, made, ordered, remade, replaced, symbol
 from .variations import VARIATIONS, Variation, value_of
 
-# For each kind: the series that its recursion reads (n is the quantity, a and b its operands), the text of
+# Recursions by kind: the series that one reads (n is the quantity, a and b its operands), the text of
 # coefficient k from the inner sums of a motion's loops, and its text with a sum of its own.
 RECURSIONS = {
     "product": ("ab", "product_of({k}, {inner}, {a}, {b})", "product({a}, {b}, {k})"),
@@ -34,7 +34,7 @@ NO_DEGREE = 99
 
 
 def drifts(node):
-    """Whether a quantity is linear in time, as a ramped input is."""
+    """True if a quantity is linear in time, as a ramped input is."""
     if node.operation == "symbol":
         return node.drifts
     return kind_of(node) == "linear" and all(o.is_constant or drifts(o) for o in node.operands)

@@ -1,4 +1,4 @@
-/* The correspondence of variations. Of the world's states those that a variation has are read and written. */
+/* The correspondence of variations. Only states of the world that a variation has are read and written. */
 #include "page_variation.h"
 
 #include "input_rates.h"

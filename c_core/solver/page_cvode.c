@@ -239,7 +239,7 @@ static bool configure(workspace *space, problem *problem) {
 
 /* ---- the run ------------------------------------------------------------------------------------------ */
 
-/* Notes guards and largest values where CVODE stands. Whether an event is due there. */
+/* Notes guards and largest values where CVODE stands. True if an event is due there. */
 static bool look_around(const workspace *space, problem *problem, double time) {
     guard_state guards[TDMF_GUARD_LIMIT];
     bool is_due = false;

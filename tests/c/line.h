@@ -14,8 +14,7 @@ typedef struct {
     tdmf_variation variation;
 } line;
 
-/* The runner at t on the line. What may be zero, as gains, damping and friction, may pass through it there.
- */
+/* The runner at t on the line. Numbers that may be zero, such as gains, may become negative there. */
 runner line_at(const line *line, double t);
 
 /* A direction of the size of the runner's own units in every parameter, input and mechanical coordinate. */

@@ -48,9 +48,9 @@ TEST(requests_without_sense_are_refused) {
     assert_memory_equal(&run.motion, &before, sizeof before);
 }
 
-/* Lengths, times and masses scaled by powers of two: every number is the same but for its exponent, and CVODE
- * makes the same steps, but for the pivots of its linear solver. What these change is of the size of an
- * integration's own error, which in the period is a thousand times the tolerance of a step. */
+/* Lengths, times and masses are scaled by powers of two, so numbers change only their exponents. CVODE makes
+ * the same steps but for the pivots of its linear solver. The pivots change results by the size of the
+ * integration error, which in the period is a thousand times the tolerance of a step. */
 TEST(another_scale_is_the_same_work) {
     static const double finer = 1e-11;
     static const int exponents[][3] = {{0, -10, 0}, {-8, 6, 3}, {10, -4, -5}, {0, 9, 0}};

@@ -308,8 +308,8 @@ TEST(energy_is_accounted_for_and_work_is_counted) {
     assert_true(work.lane_steps >= work.steps && work.evaluations > 8 * work.steps);
 }
 
-/* Friction 0.6: the reference gait attracts what starts near it, what starts low falls, what starts below the
- * ground does not start. What is no gait, being no number, attracts nothing. */
+/* Friction 0.6: runners that start near the reference gait settle on it, runners that start low fall, and
+ * runners below the ground do not start. A gait of NaN attracts no runner. */
 TEST(runners_settle_fall_or_do_not_start) {
     double gaits[2][TDMF_POINT_LIMIT] = {{0.0}};
     tdmf_instructions sets[TDMF_INSTRUCTIONS_COUNT];

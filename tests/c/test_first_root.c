@@ -56,8 +56,8 @@ static double rounding_of(const double *roots, int count) {
     return count * DBL_EPSILON * size;
 }
 
-/* Roots anywhere, some outside the reach and some close together; the polynomial is positive at 0. What is
- * found is a root to rounding, and before it the polynomial is positive wherever one looks. */
+/* Roots anywhere, some outside the reach and some close together; the polynomial is positive at 0. The search
+ * finds a root to rounding, and the polynomial is positive at sampled points before it. */
 TEST(the_first_of_many_roots) {
     enum { RUNS = sample_of(5000), ROOT_LIMIT = 12, LOOKS = 400 };
     random_source source = {41};

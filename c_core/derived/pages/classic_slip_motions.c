@@ -212,7 +212,7 @@ KERNEL void begin_stance_sums(const stance_series *s, int i, stance_sums *sum) {
     sum->push_times_y = middle_of_product(s->push, s->y_2, i);
 }
 
-/* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
+/* Computes coefficient k + 1 of the states from coefficient k; `odd` selects the sum of coefficient k. */
 KERNEL void step_stance(const stance_constants *c, const stance_factors *by, int k, const stance_sums *sum,
     int odd, stance_series *s) {
     s->x_[k + 1] = s->vx[k] * series_reciprocal[k + 1];

@@ -1,1 +1,1 @@
-#define FMU_GUID "{22199640-0e55-e9b5-6492-74eb744981f6}"
+#define FMU_GUID "{cfe45596-2bca-6416-067c-1a0c83d0f0e3}"

@@ -286,7 +286,7 @@ static void vary_react_flight_falls(const real *parameters, const real *states, 
     y->angle_rate = d_rate;
 }
 
-/* Whether falls is watched. */
+/* True if falls is watched. */
 static real watches_flight_falls(const real *parameters, const real *states) {
     const plain_reduced_runner_states *x = (const void *)states;
     (void)parameters;
@@ -508,7 +508,7 @@ static void vary_react_flight_apex(const real *parameters, const real *states, c
     y->momentum = 0.0;
 }
 
-/* Whether apex is watched. */
+/* True if apex is watched. */
 static real watches_flight_apex(const real *parameters, const real *states) {
     const plain_reduced_runner_states *x = (const void *)states;
     (void)parameters;
@@ -653,7 +653,7 @@ static void vary_react_flight_touchdown(const real *parameters, const real *stat
     }
 }
 
-/* Whether touchdown is watched. */
+/* True if touchdown is watched. */
 static real watches_flight_touchdown(const real *parameters, const real *states) {
     const plain_reduced_runner_states *x = (const void *)states;
     (void)parameters;
@@ -936,7 +936,7 @@ static void vary_react_slip_constant_mid_stance(const real *parameters, const re
     y->driving = 0.0;
 }
 
-/* Whether mid_stance is watched. */
+/* True if mid_stance is watched. */
 static real watches_slip_constant_mid_stance(const real *parameters, const real *states) {
     const plain_reduced_runner_states *x = (const void *)states;
     (void)parameters;

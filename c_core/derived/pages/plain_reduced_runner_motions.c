@@ -255,7 +255,7 @@ KERNEL void begin_slip_constant_sums(const slip_constant_series *s, int i, slip_
     sum->angle_rate = middle_of_product(s->angle_rate, s->square, i);
 }
 
-/* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
+/* Computes coefficient k + 1 of the states from coefficient k; `odd` selects the sum of coefficient k. */
 KERNEL void step_slip_constant(const slip_constant_constants *c, const slip_constant_factors *by, int k,
     const slip_constant_sums *sum, int odd, slip_constant_series *s) {
     s->x_[k + 1] = s->vx[k] * series_reciprocal[k + 1];
@@ -628,7 +628,7 @@ KERNEL void begin_stick_sums(const stick_series *s, int i, stick_sums *sum) {
     sum->angle_rate = middle_of_product(s->angle_rate, s->square, i);
 }
 
-/* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
+/* Computes coefficient k + 1 of the states from coefficient k; `odd` selects the sum of coefficient k. */
 KERNEL void step_stick(const stick_constants *c, const stick_factors *by, int k, const stick_sums *sum,
     int odd, stick_series *s) {
     s->x_[k + 1] = s->vx[k] * series_reciprocal[k + 1];

@@ -423,7 +423,7 @@ static void vary_react_slip_constant_greatest_compression(const real *parameters
     y->thrusting = 0.0;
 }
 
-/* Whether greatest_compression is watched. */
+/* True if greatest_compression is watched. */
 static real watches_slip_constant_greatest_compression(const real *parameters, const real *states) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
@@ -466,7 +466,7 @@ static void vary_react_slip_constant_mid_stance(const real *parameters, const re
     y->driving = 0.0;
 }
 
-/* Whether mid_stance is watched. */
+/* True if mid_stance is watched. */
 static real watches_slip_constant_mid_stance(const real *parameters, const real *states) {
     const plain_runner_states *x = (const void *)states;
     (void)parameters;
@@ -1445,7 +1445,7 @@ static void vary_react_flight_calm_apex(const real *parameters, const real *stat
     y->rises_again = 0.0;
 }
 
-/* Whether apex is watched. */
+/* True if apex is watched. */
 static real watches_flight_calm_apex(const real *parameters, const real *states) {
     const plain_runner_states *x = (const void *)states;
     (void)parameters;
@@ -1455,7 +1455,7 @@ static real watches_flight_calm_apex(const real *parameters, const real *states)
     return 0.0;
 }
 
-/* Whether apex has to cross zero. */
+/* True if apex has to cross zero. */
 static real crosses_flight_calm_apex(const real *parameters, const real *states) {
     const plain_runner_states *x = (const void *)states;
     (void)parameters;
@@ -1637,7 +1637,7 @@ static void vary_react_flight_calm_clamp(const real *parameters, const real *sta
     y->swing = 0.0;
 }
 
-/* Whether clamp is watched. */
+/* True if clamp is watched. */
 static real watches_flight_calm_clamp(const real *parameters, const real *states) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
@@ -1673,7 +1673,7 @@ static int react_flight_calm_release(const real *parameters, const real *states,
     return next[0]; /* flight */
 }
 
-/* Whether release is watched. */
+/* True if release is watched. */
 static real watches_flight_calm_release(const real *parameters, const real *states) {
     const plain_runner_states *x = (const void *)states;
     (void)parameters;
@@ -1918,7 +1918,7 @@ static void vary_react_graze_apex_in_graze(const real *parameters, const real *s
     y->placing = 0.0;
 }
 
-/* Whether apex_in_graze is watched. */
+/* True if apex_in_graze is watched. */
 static real watches_graze_apex_in_graze(const real *parameters, const real *states) {
     const plain_runner_states *x = (const void *)states;
     (void)parameters;

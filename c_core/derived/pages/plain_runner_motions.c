@@ -99,7 +99,7 @@ KERNEL void begin_slip_constant_sums(const slip_constant_series *s, int i, slip_
     sum->angle_rate = middle_of_product(s->angle_rate, s->square, i);
 }
 
-/* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
+/* Computes coefficient k + 1 of the states from coefficient k; `odd` selects the sum of coefficient k. */
 KERNEL void step_slip_constant(const slip_constant_constants *c, const slip_constant_factors *by, int k,
     const slip_constant_sums *sum, int odd, slip_constant_series *s) {
     s->x_[k + 1] = s->vx[k] * series_reciprocal[k + 1];
@@ -538,7 +538,7 @@ KERNEL void begin_stick_sums(const stick_series *s, int i, stick_sums *sum) {
     sum->angle_rate = middle_of_product(s->angle_rate, s->square, i);
 }
 
-/* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
+/* Computes coefficient k + 1 of the states from coefficient k; `odd` selects the sum of coefficient k. */
 KERNEL void step_stick(const stick_constants *c, const stick_factors *by, int k, const stick_sums *sum,
     int odd, stick_series *s) {
     s->x_[k + 1] = s->vx[k] * series_reciprocal[k + 1];
@@ -923,7 +923,7 @@ KERNEL void begin_flight_calm_sums(const flight_calm_series *s, int i, flight_ca
     sum->power_of_hip = middle_of_product(s->swing_torque, s->rate, i);
 }
 
-/* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
+/* Computes coefficient k + 1 of the states from coefficient k; `odd` selects the sum of coefficient k. */
 KERNEL void step_flight_calm(const flight_calm_constants *c, const flight_calm_factors *by, int k,
     const flight_calm_sums *sum, int odd, flight_calm_series *s) {
     s->length[k + 1] = s->length_rate[k] * series_reciprocal[k + 1];
@@ -1330,7 +1330,7 @@ KERNEL void begin_graze_sums(const graze_series *s, int i, graze_sums *sum) {
     sum->product_3_times_angle_rate = middle_of_product(s->product_3, s->angle_rate, i);
 }
 
-/* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
+/* Computes coefficient k + 1 of the states from coefficient k; `odd` selects the sum of coefficient k. */
 KERNEL void step_graze(const graze_constants *c, const graze_factors *by, int k, const graze_sums *sum,
     int odd, graze_series *s) {
     s->x_[k + 1] = s->vx[k] * series_reciprocal[k + 1];

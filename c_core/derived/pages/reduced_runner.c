@@ -471,7 +471,7 @@ static void vary_react_flight_falls(const real *parameters, const real *states, 
     y->angle_rate = d_rate;
 }
 
-/* Whether falls is watched. */
+/* True if falls is watched. */
 static real watches_flight_falls(const real *parameters, const real *states) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
@@ -751,7 +751,7 @@ static void vary_react_flight_apex(const real *parameters, const real *states, c
     y->momentum = d_moment;
 }
 
-/* Whether apex is watched. */
+/* True if apex is watched. */
 static real watches_flight_apex(const real *parameters, const real *states) {
     const reduced_runner_states *x = (const void *)states;
     (void)parameters;
@@ -989,7 +989,7 @@ static void vary_react_flight_touchdown(const real *parameters, const real *stat
     }
 }
 
-/* Whether touchdown is watched. */
+/* True if touchdown is watched. */
 static real watches_flight_touchdown(const real *parameters, const real *states) {
     const reduced_runner_states *x = (const void *)states;
     (void)parameters;
@@ -1527,7 +1527,7 @@ static void vary_react_slip_constant_greatest_compression(const real *parameters
     y->leg_work = dx->leg_work + d_work;
 }
 
-/* Whether greatest_compression is watched. */
+/* True if greatest_compression is watched. */
 static real watches_slip_constant_greatest_compression(const real *parameters, const real *states) {
     const reduced_runner_parameters *p = (const void *)parameters;
     const reduced_runner_states *x = (const void *)states;
@@ -1570,7 +1570,7 @@ static void vary_react_slip_constant_mid_stance(const real *parameters, const re
     y->driving = 0.0;
 }
 
-/* Whether mid_stance is watched. */
+/* True if mid_stance is watched. */
 static real watches_slip_constant_mid_stance(const real *parameters, const real *states) {
     const reduced_runner_states *x = (const void *)states;
     (void)parameters;
@@ -1783,7 +1783,7 @@ static void vary_react_slip_constant_enters_layer(const real *parameters, const 
     (void)parameters, (void)states, (void)d_parameters, (void)d_states, (void)tables, (void)seed, (void)after;
 }
 
-/* Whether enters_layer is watched. */
+/* True if enters_layer is watched. */
 static real watches_slip_constant_enters_layer(const real *parameters, const real *states) {
     const reduced_runner_parameters *p = (const void *)parameters;
     (void)states;

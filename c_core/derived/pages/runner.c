@@ -905,7 +905,7 @@ static void vary_react_slip_constant_ramp_ends(const real *parameters, const rea
     y->friction_rate = 0.0;
 }
 
-/* Whether ramp_ends is watched. */
+/* True if ramp_ends is watched. */
 static real watches_slip_constant_ramp_ends(const real *parameters, const real *states) {
     const runner_states *x = (const void *)states;
     (void)parameters;
@@ -1082,7 +1082,7 @@ static void vary_react_slip_constant_greatest_compression(const real *parameters
     y->positive_leg_work = dx->positive_leg_work + select(work > 0.0, d_work, d_begins);
 }
 
-/* Whether greatest_compression is watched. */
+/* True if greatest_compression is watched. */
 static real watches_slip_constant_greatest_compression(const real *parameters, const real *states) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
@@ -1125,7 +1125,7 @@ static void vary_react_slip_constant_mid_stance(const real *parameters, const re
     y->driving = 0.0;
 }
 
-/* Whether mid_stance is watched. */
+/* True if mid_stance is watched. */
 static real watches_slip_constant_mid_stance(const real *parameters, const real *states) {
     const runner_states *x = (const void *)states;
     (void)parameters;
@@ -1456,7 +1456,7 @@ static void vary_react_slip_constant_enters_layer(const real *parameters, const 
     (void)parameters, (void)states, (void)d_parameters, (void)d_states, (void)tables, (void)seed, (void)after;
 }
 
-/* Whether enters_layer is watched. */
+/* True if enters_layer is watched. */
 static real watches_slip_constant_enters_layer(const real *parameters, const real *states) {
     const runner_parameters *p = (const void *)parameters;
     (void)states;
@@ -1782,7 +1782,7 @@ static void vary_react_slip_constant_crosses_border(const real *parameters, cons
     }
 }
 
-/* Whether crosses_border is watched. */
+/* True if crosses_border is watched. */
 static real watches_slip_constant_crosses_border(const real *parameters, const real *states) {
     const runner_states *x = (const void *)states;
     (void)parameters;
@@ -3393,7 +3393,7 @@ static void vary_react_flight_calm_passes_end(const real *parameters, const real
     }
 }
 
-/* Whether passes_end is watched. */
+/* True if passes_end is watched. */
 static real watches_flight_calm_passes_end(const real *parameters, const real *states) {
     const runner_states *x = (const void *)states;
     (void)parameters;
@@ -3548,7 +3548,7 @@ static void vary_react_flight_calm_passes_begin(const real *parameters, const re
     }
 }
 
-/* Whether passes_begin is watched. */
+/* True if passes_begin is watched. */
 static real watches_flight_calm_passes_begin(const real *parameters, const real *states) {
     const runner_states *x = (const void *)states;
     (void)parameters;
@@ -3600,7 +3600,7 @@ static int react_flight_calm_next_segment_comes(const real *parameters, const re
     return next[0]; /* flight */
 }
 
-/* Whether next_segment_comes is watched. */
+/* True if next_segment_comes is watched. */
 static real watches_flight_calm_next_segment_comes(const real *parameters, const real *states) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
@@ -3627,7 +3627,7 @@ static int react_flight_calm_wind_rises(const real *parameters, const real *stat
     return next[0]; /* flight */
 }
 
-/* Whether wind_rises is watched. */
+/* True if wind_rises is watched. */
 static real watches_flight_calm_wind_rises(const real *parameters, const real *states) {
     const runner_states *x = (const void *)states;
     (void)parameters;
@@ -3666,7 +3666,7 @@ static void vary_react_flight_calm_new_ground(const real *parameters, const real
     y->slope = d_set_slope;
 }
 
-/* Whether new_ground is watched. */
+/* True if new_ground is watched. */
 static real watches_flight_calm_new_ground(const real *parameters, const real *states) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
@@ -3941,7 +3941,7 @@ static void vary_react_flight_calm_apex(const real *parameters, const real *stat
     y->rises_again = 0.0;
 }
 
-/* Whether apex is watched. */
+/* True if apex is watched. */
 static real watches_flight_calm_apex(const real *parameters, const real *states) {
     const runner_states *x = (const void *)states;
     (void)parameters;
@@ -3951,7 +3951,7 @@ static real watches_flight_calm_apex(const real *parameters, const real *states)
     return 0.0;
 }
 
-/* Whether apex has to cross zero. */
+/* True if apex has to cross zero. */
 static real crosses_flight_calm_apex(const real *parameters, const real *states) {
     const runner_states *x = (const void *)states;
     (void)parameters;
@@ -4343,7 +4343,7 @@ static void vary_react_flight_calm_clamp(const real *parameters, const real *sta
     y->swing = 0.0;
 }
 
-/* Whether clamp is watched. */
+/* True if clamp is watched. */
 static real watches_flight_calm_clamp(const real *parameters, const real *states) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
@@ -4379,7 +4379,7 @@ static int react_flight_calm_release(const real *parameters, const real *states,
     return next[0]; /* flight */
 }
 
-/* Whether release is watched. */
+/* True if release is watched. */
 static real watches_flight_calm_release(const real *parameters, const real *states) {
     const runner_states *x = (const void *)states;
     (void)parameters;
@@ -5302,7 +5302,7 @@ static void vary_react_graze_apex_in_graze(const real *parameters, const real *s
     y->placing = 0.0;
 }
 
-/* Whether apex_in_graze is watched. */
+/* True if apex_in_graze is watched. */
 static real watches_graze_apex_in_graze(const real *parameters, const real *states) {
     const runner_states *x = (const void *)states;
     (void)parameters;

@@ -138,7 +138,7 @@ KERNEL void begin_slip_constant_sums(const slip_constant_series *s, int i, slip_
     sum->angle_rate = middle_of_product(s->angle_rate, s->square, i);
 }
 
-/* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
+/* Computes coefficient k + 1 of the states from coefficient k; `odd` selects the sum of coefficient k. */
 KERNEL void step_slip_constant(const slip_constant_constants *c, const slip_constant_factors *by, int k,
     const slip_constant_sums *sum, int odd, slip_constant_series *s) {
     s->x_[k + 1] = s->vx[k] * series_reciprocal[k + 1];
@@ -788,7 +788,7 @@ KERNEL void begin_stick_sums(const stick_series *s, int i, stick_sums *sum) {
     sum->angle_rate = middle_of_product(s->angle_rate, s->square, i);
 }
 
-/* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
+/* Computes coefficient k + 1 of the states from coefficient k; `odd` selects the sum of coefficient k. */
 KERNEL void step_stick(const stick_constants *c, const stick_factors *by, int k, const stick_sums *sum,
     int odd, stick_series *s) {
     s->x_[k + 1] = s->vx[k] * series_reciprocal[k + 1];
@@ -1369,7 +1369,7 @@ KERNEL void begin_flight_calm_sums(const flight_calm_series *s, int i, flight_ca
     sum->power_of_hip = middle_of_product(s->swing_torque, s->rate, i);
 }
 
-/* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
+/* Computes coefficient k + 1 of the states from coefficient k; `odd` selects the sum of coefficient k. */
 KERNEL void step_flight_calm(const flight_calm_constants *c, const flight_calm_factors *by, int k,
     const flight_calm_sums *sum, int odd, flight_calm_series *s) {
     s->length[k + 1] = s->length_rate[k] * series_reciprocal[k + 1];
@@ -1950,7 +1950,7 @@ KERNEL void begin_graze_sums(const graze_series *s, int i, graze_sums *sum) {
     sum->product_3_times_angle_rate = middle_of_product(s->product_3, s->angle_rate, i);
 }
 
-/* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
+/* Computes coefficient k + 1 of the states from coefficient k; `odd` selects the sum of coefficient k. */
 KERNEL void step_graze(const graze_constants *c, const graze_factors *by, int k, const graze_sums *sum,
     int odd, graze_series *s) {
     s->x_[k + 1] = s->vx[k] * series_reciprocal[k + 1];
@@ -2511,7 +2511,7 @@ KERNEL void begin_slip_falling_sums(const slip_falling_series *s, int i, slip_fa
     sum->angle_rate = middle_of_product(s->angle_rate, s->square, i);
 }
 
-/* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
+/* Computes coefficient k + 1 of the states from coefficient k; `odd` selects the sum of coefficient k. */
 KERNEL void step_slip_falling(const slip_falling_constants *c, const slip_falling_factors *by, int k,
     const slip_falling_sums *sum, int odd, slip_falling_series *s) {
     s->x_[k + 1] = s->vx[k] * series_reciprocal[k + 1];
@@ -3186,7 +3186,7 @@ KERNEL void begin_flight_pushed_sums(const flight_pushed_series *s, int i, fligh
     sum->power_of_hip = middle_of_product(s->swing_torque, s->rate, i);
 }
 
-/* From coefficient k of the states to k + 1; `odd` says which of the two sums is that of k. */
+/* Computes coefficient k + 1 of the states from coefficient k; `odd` selects the sum of coefficient k. */
 KERNEL void step_flight_pushed(const flight_pushed_constants *c, const flight_pushed_factors *by, int k,
     const flight_pushed_sums *sum, int odd, flight_pushed_series *s) {
     s->length[k + 1] = s->length_rate[k] * series_reciprocal[k + 1];

@@ -99,7 +99,7 @@ static bool run_one_by_one(tdmf_batch_share *share, tdmf_batch_work *work) {
 typedef struct {
     tdmf_batch_share share;
     tdmf_run_lanes *run;
-    tdmf_batch_work *works; /* of each thread */
+    tdmf_batch_work *works; /* one for each thread */
 } job;
 
 static void run_share(void *shared, int number) {

@@ -14,8 +14,8 @@
  * cache. */
 enum { TDMF_RUNS_OF_A_LANE = 20 };
 
-/* How a run goes on. TDMF_GOES_ON_UNCHANGED: nothing of it has changed but its stop event, its limits and its
- * time in `until`. */
+/* Continuation of a run. TDMF_GOES_ON_UNCHANGED: the caller has changed only its stop event, its limits and
+ * its time in `until`. */
 typedef enum { TDMF_IS_OVER, TDMF_GOES_ON_CHANGED, TDMF_GOES_ON_UNCHANGED } tdmf_continuation;
 
 /* Called where a run has ended, unless the batch is cancelled, in the thread that runs it. It may change the
@@ -28,9 +28,9 @@ typedef tdmf_continuation tdmf_at_end(void *context, int64_t number, tdmf_page_r
 typedef struct {
     tdmf_page_run *runs;
     int64_t count;
-    const double *until;        /* of each run */
-    tdmf_run_outcome *outcomes; /* of each run, written */
-    tdmf_at_end *at_end;        /* or NULL */
+    const double *until;        /* one time for each run */
+    tdmf_run_outcome *outcomes; /* written, one for each run */
+    tdmf_at_end *at_end;        /* may be NULL */
     void *context;
     const int *cancel; /* once this is not 0, all runs end where they are; NULL */
     int width;         /* lanes: 1, 2, 4 or 8; 0: as many as pay for so many runs, build and processor */
@@ -44,7 +44,7 @@ typedef struct {
 
 tdmf_batch tdmf_batch_default(void);
 
-/* Whether there are batches of this width. */
+/* True if this build has batches of this width. */
 bool tdmf_batch_has_width(const tdmf_model_kind *model, int width);
 
 /* False for runs that do not match, or a width that there is not. `work` may be NULL. */

@@ -19,8 +19,8 @@ enum {
 
 typedef struct runner {
     run_state state;     /* first: page_lanes.h knows a runner by it */
-    int64_t number;      /* of its run */
-    struct runner *next; /* in a list of runners that wait */
+    int64_t number;      /* number of its run */
+    struct runner *next; /* next in a list of runners that wait */
 } runner;
 
 /* The runners of a mode. */
@@ -39,7 +39,7 @@ typedef struct {
     lane_room *room;
     lane_batch *batches;
     runner *runners;
-    mode_start at; /* of one runner */
+    mode_start at; /* mode start of one runner */
     tdmf_driver *driver;
 } lane_pool;
 
@@ -187,8 +187,8 @@ static void drive_one(lane_pool *w, lane_batch *b) {
 
 /* ---- steps in lanes ------------------------------------------------------------------------------------ */
 
-/* Whether a run that has stopped goes on in its lane, because neither the run changes nor its step. If not,
- * it leaves the lane. */
+/* True if a run that has stopped goes on in its lane, because neither the run nor its step changes. Otherwise
+ * the run leaves the lane. */
 static bool go_on_in_lane(lane_pool *w, lane_batch *b, int lane) {
     runner *of = runner_in(b, lane);
     const double *until = &w->share->batch->until[of->number];

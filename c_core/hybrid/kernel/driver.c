@@ -19,7 +19,7 @@
 struct tdmf_driver {
     lane_room room;
     page_lanes lane;
-    double *memory; /* of the lane's arrays */
+    double *memory; /* memory of the lane's arrays */
 };
 
 /* Loads a run, whose mode `at` holds. */

@@ -70,7 +70,7 @@ static inline bool tdmf_has_to_cross(const tdmf_guard_kind *kind, const double *
 /* Observed quantities: their integral or largest value goes into a state. */
 typedef enum { TDMF_POSITIVE_INTEGRAL, TDMF_LARGEST } tdmf_part;
 
-/* Which of them a run observes. */
+/* Quantities that a run observes. */
 typedef enum { TDMF_OBSERVE_NOTHING, TDMF_OBSERVE_USUAL, TDMF_OBSERVE_ALL } tdmf_observation;
 
 typedef struct {
@@ -80,17 +80,17 @@ typedef struct {
 
 typedef struct {
     const tdmf_motion_kind *motion;
-    bool ends;          /* the run */
-    bool keeps_outputs; /* a unit shows those of the mode before */
+    bool ends;          /* the mode ends the run */
+    bool keeps_outputs; /* a unit shows the outputs of the mode before */
     int guard_count;
-    const tdmf_guard_kind *guards; /* in the order of events that are due at one instant */
+    const tdmf_guard_kind *guards; /* sorted by precedence of events that are due at one instant */
     int watch_count, usual_count;  /* all observed quantities; those that come first are usual */
     const tdmf_watch_kind *watches;
     tdmf_change *open; /* writes the constants of the mode */
     tdmf_vary_change *vary_open;
     tdmf_change *outputs;
     tdmf_vary_change *vary_outputs;
-    tdmf_answer *time_scale; /* of a law whose series does not show it; NULL: there is none */
+    tdmf_answer *time_scale; /* time scale of a law whose series does not show it; NULL: there is none */
     tdmf_leave *leave;       /* called before the decision of any event; NULL: nothing to do */
     tdmf_vary_leave *vary_leave;
     tdmf_change *to_world, *from_world, *world_rates; /* NULL where the mode's coordinates are the world's */
@@ -132,7 +132,7 @@ typedef struct {
 /* Variations of two seeds side by side: functions of motions of two lanes; see seeds.h. Constants, series,
  * and variations of states that move are arrays of doubles. */
 typedef struct {
-    const void *motions; /* of all modes */
+    const void *motions; /* motions of all modes */
     void (*fill)(const void *motions, int mode, const tdmf_seed_lanes *lanes, const void *c, const void *s,
                  int order);
     void (*vary)(const void *motions, int mode, const tdmf_seed_lanes *lanes, const void *const d[2],
@@ -191,11 +191,11 @@ typedef struct {
     double time;
     int mode;
     double tolerance;
-    int order;      /* of the series: even, from LEAST_ORDER to SERIES_ORDER_LIMIT */
+    int order;      /* order of the series: even, from LEAST_ORDER to SERIES_ORDER_LIMIT */
     int stop_event; /* the run stops where this one is taken, and variations are then those on that section;
                        -1: none */
     tdmf_observation observes;
-    long step_limit, event_limit; /* of a call */
+    long step_limit, event_limit; /* limits of a call */
     /* Variations: of each seed those of the parameters and of the states, and of the time of the last event.
      */
     int seed_count;
@@ -213,7 +213,7 @@ typedef struct {
     int sample_count, sampled;
     /* Counters, and the events so far of a chain in zero time. */
     long steps, events;
-    long limited_steps; /* of the steps, those that a mode's time scale limited */
+    long limited_steps; /* steps that a mode's time scale limited */
     int chain;
     int left; /* the mode before the last event */
     /* Memory between calls: a saved run is a copy of the struct and of the states. Sets of events have a bit
@@ -227,17 +227,17 @@ typedef struct {
 
 typedef enum {
     TDMF_RUN_ARRIVED,
-    TDMF_RUN_STOPPED,         /* at the stop event */
-    TDMF_RUN_ENDED,           /* in a mode that ends runs */
+    TDMF_RUN_STOPPED,         /* the stop event was taken */
+    TDMF_RUN_ENDED,           /* the mode ends runs */
     TDMF_RUN_NO_PROGRESS,     /* no step has a finite result */
     TDMF_RUN_TOO_MANY_STEPS,  /* the step limit was reached */
     TDMF_RUN_ENDLESS_CHAIN,   /* the events `taken` are due again and again in zero time */
     TDMF_RUN_TOO_MANY_EVENTS, /* the event limit was reached */
-    TDMF_RUN_NO_MEMORY,       /* in a batch, which allocates memory for each thread */
-    TDMF_RUN_CANCELLED,       /* in a batch */
+    TDMF_RUN_NO_MEMORY,       /* a batch could not allocate memory for each thread */
+    TDMF_RUN_CANCELLED,       /* a batch was cancelled */
     TDMF_RUN_BAD_ORDER,       /* the order of the series is not allowed */
-    TDMF_RUN_TOO_MANY_SEEDS,  /* of a return map */
-    TDMF_RUN_TOO_STIFF,       /* so many steps in a short time; never returned by the driver itself */
+    TDMF_RUN_TOO_MANY_SEEDS,  /* a return map has too many seeds */
+    TDMF_RUN_TOO_STIFF,       /* too many steps in a short time; never returned by the driver itself */
     TDMF_RUN_GOES_ON          /* never returned */
 } tdmf_run_outcome;
 

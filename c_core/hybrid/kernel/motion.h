@@ -36,7 +36,7 @@ typedef struct {
     const tdmf_vary_polynomial *vary_observed;
     const int *integrals; /* series whose rate is the observed quantity, or -1 */
     const int *factors;   /* two for each observed quantity: series whose signs decide its own, or -1 */
-    tdmf_bounds *bounds;  /* of guards and observed quantities; NULL: none is bounded */
+    tdmf_bounds *bounds;  /* bounds of guards and observed quantities; NULL: none is bounded */
 } tdmf_motion_kind;
 
 /* The name of a table or function of this width. Two lanes have two names, as a library may have them for

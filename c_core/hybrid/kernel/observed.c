@@ -9,7 +9,7 @@
 
 enum { ROOT_LIMIT = 32, CUT_LIMIT = 64, ITERATION_LIMIT = 60 };
 
-static const double last_correction = 1e-4; /* of a root; the method is of third order */
+static const double last_correction = 1e-4; /* correction of a root; the method is of third order */
 
 typedef struct {
     const double *c;

@@ -23,7 +23,7 @@ double tdmf_integral_over(const double *g, int order, const positive_pieces *pie
  * that is known. */
 double tdmf_largest_in_step(const double *g, int order, double rounding, double largest, double *share);
 
-static const double part_tolerance = 0.01; /* of a positive integral, relative to that of a step */
+static const double part_tolerance = 0.01; /* tolerance of a positive integral, relative to that of a step */
 
 static inline bool is_largest(const page_step *step, int watch) {
     return step->watches[watch].part == TDMF_LARGEST;
@@ -33,7 +33,7 @@ static inline real scale_of_observed(const page_step *step, int watch) {
     return step->units[step->motion->moving_count + watch];
 }
 
-/* Whether the sign of a quantity is that of a product of series. */
+/* True if the sign of a quantity is the sign of a product of series. */
 static inline bool has_factors(const page_step *step, int watch) {
     return step->motion->factors[2 * watch] >= 0;
 }
@@ -224,8 +224,8 @@ static inline real observe(page_step *step, int watch, real value, mask lanes) {
 
 /* ---- variations ---------------------------------------------------------------------------------------- */
 
-/* Where the largest value is that at the beginning of the step, it varies with the time of the event there,
- * too. */
+/* Variation of a largest value. A largest value at the beginning of the step also varies with the time of the
+ * event there. */
 static inline real variation_of_largest(const page_step *step, int watch, const real *dg, real shift,
                                         real varied) {
     const observed_part *of = &step->observed[watch];

@@ -14,7 +14,7 @@ typedef enum { WATCH_BELOW, WATCH_ABOVE, WATCH_RISING } watch_state;
 typedef struct {
     double value;
     bool is_watched;
-    bool rises; /* to zero, since its event was taken */
+    bool rises; /* it has risen to zero since its event was taken */
     bool is_due;
 } guard_state;
 

@@ -12,7 +12,7 @@ typedef struct {
     const double *p, *x;
     double *c, *d;                   /* constants of the mode, and their variation */
     double (*s)[TERMS], (*t)[TERMS]; /* series of its states, and their variation */
-    double *scales, *event_scales;   /* by state, and by event */
+    double *scales, *event_scales;   /* indexed by state, and by event */
 } tdmf_page_instant;
 
 /* Numbers of memory that an instant needs. */

@@ -8,7 +8,7 @@
 
 #include "observed.h"
 
-/* What all modes share: numbers of the runs, and arrays in the caller's memory. */
+/* Data that all modes share: numbers of the runs, and arrays in the caller's memory. */
 typedef struct {
     const tdmf_model_kind *model;
     double tolerance;
@@ -29,9 +29,9 @@ typedef struct {
     page_step step;
     mask live, moved, stops, is_shifted; /* moved: time has passed since the mode began */
     real time, time_rest, until, steps, last_step, next_sample, longest;
-    real *x, *rates;      /* of the states that change */
-    real *dx, *d, *shift; /* by seed: variations of these states and of the constants */
-    int d_stride;         /* from seed to seed */
+    real *x, *rates;      /* states that change, and their rates */
+    real *dx, *d, *shift; /* indexed by seed: variations of these states and of the constants */
+    int d_stride;         /* distance from seed to seed in `d` */
     run_state *runs[LANES];
 } page_lanes;
 
@@ -54,7 +54,7 @@ static inline size_t most_moving(const tdmf_model_kind *model) {
     return (size_t)most;
 }
 
-/* At least as many states as change in any mode. */
+/* Upper bound on the number of states that change in a mode. */
 static inline size_t most_changing(const tdmf_model_kind *model) {
     return most_moving(model) + TDMF_WATCH_LIMIT;
 }
@@ -77,7 +77,8 @@ static inline real *place_room(lane_room *room, real *memory) {
     return room->d_after + (size_t)room->seed_count * changing;
 }
 
-/* Of several lanes; the driver reads constants and their variations where the mode begins. */
+/* Numbers that the lanes of a mode need. The driver, which has one lane, reads constants and their variations
+ * from the mode's start. */
 static inline size_t reals_of_mode(const tdmf_mode_kind *mode, int seed_count, tdmf_observation observes) {
     const tdmf_motion_kind *m = mode->motion;
     const size_t changing = (size_t)m->moving_count + (size_t)tdmf_observed_count(mode, observes);

@@ -17,8 +17,8 @@ static const double rounding_margin = TDMF_MARGIN_FACTOR * 1e-14;
 /* Below zero: up to here the guard of an event that was just taken need not be due again. */
 static const double late_margin = TDMF_MARGIN_FACTOR * 1e-9;
 
-/* At a large tolerance an event is located roughly, and a guard that is zero at it may be further below zero:
- * by this share of the tolerance, and at most so far. */
+/* At a large tolerance an event is located roughly, and a guard that is zero at it may be further below zero.
+ * The band grows by this share of the tolerance, up to the second number. */
 static const double rough_share = 1e-2, roughest = 1e-7;
 
 #endif

@@ -12,7 +12,7 @@ typedef struct {
     const int *modes;       /* -1: the whole page has no such mode */
     const int (*copies)[2]; /* states of the whole page that are equal to another one */
     int copy_count;
-    tdmf_answer *excess; /* of the whole page's numbers: 0 where the part has all that acts; or NULL */
+    tdmf_answer *excess; /* computed on the whole page: 0 if the part has all that acts; or NULL */
 } tdmf_page_part;
 
 /* The place on the whole page for one of the part's own places. */

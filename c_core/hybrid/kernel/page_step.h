@@ -13,10 +13,10 @@
 #include <string.h>
 
 static const double largest_size = 1e10;        /* powers of a step do not overflow */
-static const double smallest_share = 1e-200;    /* of a scale: dividing by it raises no exception */
-static const double divisor_change = 0.75;      /* of a divisor within a step, relative to it */
-static const double guard_tolerance = 10.0;     /* of a guard's series, relative to that of a step */
-static const double variation_tolerance = 10.0; /* of a variation's, relative to that of a step */
+static const double smallest_share = 1e-200;    /* share of a scale: dividing by it raises no exception */
+static const double divisor_change = 0.75;      /* largest relative change of a divisor within a step */
+static const double guard_tolerance = 10.0;     /* tolerance of a guard's series, relative to a step's */
+static const double variation_tolerance = 10.0; /* tolerance of a variation's series, relative to a step's */
 
 /* The search for a single zero ends after a correction this small, as a share of the step. After a Newton
  * correction the remaining error is about its square, so that it may be larger than one by bisection. */
@@ -48,9 +48,9 @@ typedef struct {
     bool is_expanded;
     real g[TERMS];                /* its polynomial, where it is expanded */
     mask changes[2];              /* lanes in which its factors may change their sign */
-    mask is_positive, has_pieces; /* in the whole step; in pieces of it */
+    mask is_positive, has_pieces; /* positive in the whole step; in pieces of it */
     positive_pieces pieces[LANES];
-    real share; /* of the step, after which the largest value is reached; negative: it is an earlier one */
+    real share; /* share of the step at which the largest value is reached; negative: an earlier one holds */
 } observed_part;
 
 typedef struct {
@@ -58,7 +58,7 @@ typedef struct {
     const tdmf_guard_kind *kinds;
     const tdmf_watch_kind *watches;
     int guard_count, observed_count;
-    int places[TDMF_WATCH_LIMIT]; /* of observed quantities: see changing_place */
+    int places[TDMF_WATCH_LIMIT]; /* places of observed quantities: see changing_place */
     double tolerance;
     /* Written where the mode begins. */
     real *c;          /* constants */
@@ -71,13 +71,13 @@ typedef struct {
     bool rises;       /* some guard rises from zero */
     uint64_t watched; /* a bit for each guard that a lane watches, then for each observed quantity */
     /* Written by each step. */
-    int order;         /* of the series */
+    int order;         /* order of the series */
     real reach;        /* time for which the series can be trusted */
     real power[TERMS]; /* powers of the step size */
     real size, end;    /* step size, and the share of it at which the step ends */
     integer first;     /* guard whose event ends the step, or is due at once; NO_EVENT */
-    mask is_due;       /* at once */
-    interval bounds[TDMF_GUARD_LIMIT + TDMF_WATCH_LIMIT]; /* of guards and observed quantities */
+    mask is_due;       /* lanes in which it is due at once */
+    interval bounds[TDMF_GUARD_LIMIT + TDMF_WATCH_LIMIT]; /* bounds of guards and observed quantities */
     mask is_reached; /* due at once, at a time that varies: the guard came down to zero, or begins there and
                         falls */
 } page_step;
@@ -401,7 +401,8 @@ static inline mask end_on_line(page_step *step, int guard, const real *g, real b
     return lanes;
 }
 
-/* Whether a guard that is near zero comes down to `floor` in the time in which it can change by its scale. */
+/* Lanes in which a guard that is near zero comes down to `floor` in the time in which it can change by its
+ * scale. */
 static inline mask reaches(const page_step *step, const real *g, real floor, real scale, mask lanes) {
     real scaled[TERMS], power = broadcast(1.0);
     if (!any(lanes)) {

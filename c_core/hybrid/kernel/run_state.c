@@ -41,9 +41,8 @@ static bool has_event(uint64_t events, int event) {
     return (events >> event & 1) != 0;
 }
 
-/* Where numbers are large, guards that are zero are rounded to more than their margins, and events may be due
- * in turns. Links of a longer chain double the band in which such an event may be late, until the chain ends.
- */
+/* Guards of large numbers that are zero are rounded to more than their margins, and events may be due in
+ * turns. Links of a longer chain double the band in which such an event may be late, until the chain ends. */
 static const int longest_usual_chain = 16;
 
 void tdmf_begin_mode(const run_state *state, mode_start *at) {
@@ -85,8 +84,8 @@ void tdmf_shift_to_event(run_state *state, const tdmf_guard_kind *kind, const mo
     r->is_shifted = true;
 }
 
-/* Applies the decision of an event, and its variation. What it reads is a copy, because it writes in place.
- */
+/* Applies the decision of an event, and its variation. Both read a copy, because the states are written in
+ * place. */
 static void apply(const tdmf_model_kind *model, const tdmf_guard_kind *kind, tdmf_page_run *r,
                   const mode_start *at) {
     const tdmf_mode_kind *left = &model->modes[r->mode];

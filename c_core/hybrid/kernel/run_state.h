@@ -8,7 +8,7 @@
 typedef struct {
     const tdmf_model_kind *model;
     tdmf_page_run *r;
-    double *scales, *event_scales; /* by state, and by event */
+    double *scales, *event_scales; /* indexed by state, and by event */
     long last_step, last_event;    /* numbers of steps and events at which the limits are reached */
     bool stops;                    /* unless an event is due at once */
     double reach;                  /* time for which the series of the last step can be trusted */
@@ -47,14 +47,14 @@ static inline int tdmf_observed_count(const tdmf_mode_kind *mode, tdmf_observati
     return observes == TDMF_OBSERVE_ALL ? mode->watch_count : observes ? mode->usual_count : 0;
 }
 
-static const double most_time_scales = 3.0; /* of a law in a step */
+static const double most_time_scales = 3.0; /* largest number of a law's time scales in a step */
 
 /* The longest step that the law of a mode allows whose series does not show it; infinite: any. */
 static inline double tdmf_longest_step_of_law(const tdmf_mode_kind *mode, const double *p, const double *x) {
     return mode->time_scale ? most_time_scales * mode->time_scale(p, x) : INFINITY;
 }
 
-/* Whether series can have this order. */
+/* True if series can have this order. */
 bool tdmf_is_order(int order);
 
 /* Begins another call of a run that has not changed but for its limits and its stop event. */

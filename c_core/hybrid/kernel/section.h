@@ -33,7 +33,7 @@ tdmf_run_outcome tdmf_outcome_at_section(const tdmf_section_map *map, const tdmf
 /* The image of a point. Columns of `varied` are the coordinates of the point, then the seeds. */
 typedef struct {
     tdmf_run_outcome outcome; /* TDMF_RUN_STOPPED where there is a next crossing */
-    int mode;                 /* at the end of the run */
+    int mode;                 /* mode at the end of the run */
     double time;
     double next[TDMF_MAP_LIMIT];
     double varied[TDMF_MAP_LIMIT][TDMF_VARIED_LIMIT];
