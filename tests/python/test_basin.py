@@ -89,7 +89,7 @@ def test_a_map_is_gone_on_with(runner, slice_, tmp_path, monkeypatch):
         ({"refine": "coarse"}, "refine = 'coarse' is not allowed; allowed: exact, preview"),
     ],
 )
-def test_what_is_no_map_is_refused(runner, bad, message):
+def test_a_wrong_map_is_refused(runner, bad, message):
     with pytest.raises(InputError, match=message):
         basin.basin(runner, **{"axes": AXES, "n": N, **bad})
 

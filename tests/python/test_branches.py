@@ -259,7 +259,7 @@ def test_words_are_beside_their_lines_and_hide_nothing(over_angle):
         ("leg.damping=-1:0.2", "leg.damping = -1"),
     ],
 )
-def test_a_wrong_range_is_told(command, over, said):
+def test_a_wrong_range_is_refused(command, over, said):
     status, out, complaint = command("continue", "--vary", over)
     assert (status, out) == (2, "") and said in complaint
 

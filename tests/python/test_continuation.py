@@ -37,7 +37,7 @@ def special_points_met(rows):
     return changes + turns
 
 
-def assert_judged_rightly(special):
+def assert_classified_rightly(special):
     """The eigenvalues at the point are those of its kind."""
     values = special.gait.eigenvalues
     if special.kind == "fold":
@@ -64,7 +64,7 @@ def test_no_special_point_is_passed_over_where_gaits_are_wild(human, name, end, 
     )
     assert special_points_met(rows) >= 1
     for special in specials(rows):
-        assert_judged_rightly(special)
+        assert_classified_rightly(special)
         low, high = sorted(special.between)
         assert special.kind != "unclassified" or low <= special.value <= high
 

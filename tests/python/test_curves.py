@@ -149,6 +149,11 @@ def test_a_word_border_crosses_the_ranges_of_two_parameters_and_has_each_word_on
         assert not any(text.get_window_extent().contains(*point) for point in line)
 
 
+def test_ranges_without_special_points_have_no_curves(command):
+    status, out, _ = command("continue", "--vary", f"{FRICTION}=0.6:0.58", "--vary", f"{DAMPING}=0.2:0.21")
+    assert status == 0 and out.startswith(f"no curves: gaits over {FRICTION} have no special points")
+
+
 def test_two_parameters_are_two(command):
     with pytest.raises(InputError, match="two parameters"):
         continue_curves({}, {FRICTION: (0.6, 0.5)})

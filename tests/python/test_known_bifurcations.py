@@ -157,7 +157,7 @@ def both(one, other):
     [
         (lambda p: real(-(p**9), 0.2), [("period doubling", 1.0)]),
         (pair, [("Neimark-Sacker", 1.0)]),
-        # Several within one step are told apart.
+        # Several special points within one step are distinguished.
         (lambda p: real(-p, -p - 0.05), [("period doubling", 0.95), ("period doubling", 1.0)]),
         (
             lambda p: both(pair(p + 0.2), real(-p - 0.03, 0.1)),
@@ -184,7 +184,7 @@ def test_special_points_are_classified_by_the_eigenvalues(matrix_of, wanted):
     assert branch.ended == "end of the range"
 
 
-def test_a_branch_that_cannot_be_parted_is_not_judged(monkeypatch):
+def test_a_branch_that_cannot_be_divided_is_unclassified(monkeypatch):
     """Newton's method may come back to the same gait again and again."""
     problem = MapProblem(linear(lambda p: real(-p, -p - 0.05)), 2)
     start, end = (problem.beginning(p, [0.0, 0.0]) for p in (0.5, 1.5))
@@ -194,7 +194,7 @@ def test_a_branch_that_cannot_be_parted_is_not_judged(monkeypatch):
     assert special[:2] == ("unclassified", 1.0) and special[3:5] == ((0.5, 1.5), why)
 
 
-def test_where_two_branches_cross_is_not_judged():
+def test_a_crossing_of_two_branches_is_unclassified():
     """The logistic map's other fixed point passes 0 at r = 1."""
     problem = MapProblem(logistic, 1)
     branch, _ = followed(problem, problem.beginning(0.5, 0.0), 0.5, 1.7)
@@ -226,7 +226,7 @@ def test_a_branch_that_closes_ends_where_it_began():
         (-8.0, 9.0, ["word border", "fold", "period doubling"]),
     ],
 )
-def test_a_border_collision_is_judged_by_the_maps_of_both_sides(left, right, kinds):
+def test_a_border_collision_is_classified_by_the_maps_of_both_sides(left, right, kinds):
     """Feigin: where det(I - J) changes its sign the branch turns; where det(I + J) does, it doubles."""
     problem = MapProblem(tent(left, right), 1)
     branch, _ = followed(problem, problem.beginning(-1.0, -1.0 / (1.0 - left)), -1.0, 1.0)
@@ -248,7 +248,7 @@ def test_a_border_collision_is_judged_by_the_maps_of_both_sides(left, right, kin
         ((0.5, 1.2), (2.5, 0.9), ["word border", "fold"]),  # from two eigenvalues outside to one
     ],
 )
-def test_eigenvalues_that_jump_at_a_border_are_judged_or_told(left, right, kinds):
+def test_eigenvalues_that_jump_at_a_border_are_classified_or_kept(left, right, kinds):
     problem = MapProblem(collision(left, right), 2)
     branch, _ = followed(problem, problem.beginning(-1.0, [-0.5, 0.3]), -1.0, 1.0)
     assert specials_of(branch) == [(kind, 0.0) for kind in kinds]

@@ -66,7 +66,7 @@ def test_a_preview_is_the_exact_map_where_a_border_crosses_it(friction):
     assert strides[is_followed].sum() < 0.45 * strides.sum()
 
 
-def test_a_preview_is_the_same_whoever_computes_it_and_kept_apart_from_the_exact_map(tmp_path):
+def test_a_preview_is_the_same_on_file_and_kept_apart_from_the_exact_map(tmp_path):
     runner, path = {"ground.friction": 10.0}, tmp_path / "map.nc"
     one = tdmf_slip.basin(runner, AXES, n=20, refine="preview")
     two = tdmf_slip.basin(runner, AXES, n=20, refine="preview", path=path)

@@ -153,7 +153,7 @@ def test_numbers_of_attributes_may_be_off_by_rounding(tmp_path):
 
 
 @pytest.mark.parametrize("content", [b"", b"rubbish", b"\x89HDF\r\n\x1a\n" + b"rubbish" * 100])
-def test_what_is_no_netcdf_file_is_refused(tmp_path, content):
+def test_a_file_that_is_no_netcdf_is_refused(tmp_path, content):
     path = tmp_path / "file.nc"
     path.write_bytes(content)
     with pytest.raises(InputError, match=r"file\.nc: not this map: no NetCDF file"):
@@ -165,7 +165,7 @@ def test_what_is_no_netcdf_file_is_refused(tmp_path, content):
     ("kind", "over"),
     [("sweep", ("x", "y")), ("sweep", ("x",)), ("basin", ()), ("viability", ()), ("run", ())],
 )
-def test_what_took_long_is_not_written_over(tmp_path, kind, over):
+def test_long_results_are_not_written_over(tmp_path, kind, over):
     path = tmp_path / "file.nc"
     refuse_resumable(path)
     xarray.Dataset(attrs={"result": "sweep"}).to_netcdf(path)

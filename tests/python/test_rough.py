@@ -90,7 +90,7 @@ def test_a_mean_depends_on_the_seed_and_on_nobody_who_works(gait, monkeypatch):
     assert f", {whole.falls} of 200 runners fell>" in repr(whole)
 
 
-def test_the_command_tells_the_mean(command):
+def test_the_command_prints_the_mean(command):
     status, out, _ = command(
         "rough", "--roughness", "0.5", "--runners", "64", "--seed", "3", "--max-strides", "20", "--json"
     )
@@ -113,7 +113,7 @@ def test_the_command_tells_the_mean(command):
         ("--roughness 0.5 --seed 3 --rare --runners 5", "--runners"),
     ],
 )
-def test_the_command_refuses_what_is_no_ground(command, arguments, message):
+def test_the_command_refuses_wrong_ground(command, arguments, message):
     status, out, said = command("rough", *arguments.split())
     assert (status, out) == (2, "")
     assert message in said

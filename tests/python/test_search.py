@@ -61,7 +61,7 @@ def test_gaits_of_random_runners_are_found_without_a_guess():
     assert not any(missed) and len(missed) <= 1
 
 
-def test_what_settles_at_once_is_found_as_ever(monkeypatch):
+def test_a_gait_that_settles_at_once_is_found_as_ever(monkeypatch):
     """The longer search is not begun, and changes nothing to the last bit."""
     monkeypatch.setattr(search, "search_from_spread", lambda *_, **__: pytest.fail("searched"))
     for friction in (10.0, 0.6, 0.2):

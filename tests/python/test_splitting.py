@@ -79,7 +79,7 @@ def by_splitting(chain, seed, keep=60, steps=120):
     return RareFalls(Runner(), "", 0.0, *rare_event(chain, levels, keep=keep, steps=steps, seed=seed))
 
 
-def test_the_matrix_says_what_waiting_says():
+def test_the_matrix_agrees_with_waiting():
     """The matrix is checked where waiting is possible, before it judges rarer falls."""
     chain = RimlessWheel(3.0)
     mean, falls = waited(chain, 10_000, 200, 5)

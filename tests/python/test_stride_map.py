@@ -405,7 +405,7 @@ REFUSED = {
 
 
 @pytest.mark.parametrize("message", REFUSED)
-def test_what_cannot_be_is_refused_with_what_is_allowed(gait, starts, message):
+def test_wrong_strides_are_refused_with_the_allowed_ones(gait, starts, message):
     given = {"runner": gait.runner, "apices": starts, "strides": 3} | REFUSED[message]
     with pytest.raises(InputError, match=re.escape(message)):
         stride_map(**given)
@@ -422,7 +422,7 @@ def test_strides_over_a_patch_by_gains_that_are_set_and_of_no_runner_are_made(ga
     assert stride_map(gait, np.zeros((0, 6)), strides=2)["next_apex"].shape == (0, 2, 6)
 
 
-def test_what_a_law_gives_for_who_has_fallen_does_not_matter(gait, starts):
+def test_settings_of_a_fallen_runner_do_not_matter(gait, starts):
     found = stride_map(
         gait.runner,
         starts,

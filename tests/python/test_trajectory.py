@@ -96,6 +96,6 @@ def test_a_trajectory_ends_where_the_runner_falls():
         ({"times": [0.0], "apex": [0.1, 1.0, 1.0, 0.1, 0.0, 0.0]}, "foot.y"),
     ],
 )
-def test_what_cannot_be_is_refused(asked, words):
+def test_impossible_runs_are_refused(asked, words):
     with pytest.raises(InputError, match=words):
         trajectory({}, **asked)

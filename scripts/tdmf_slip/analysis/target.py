@@ -55,7 +55,7 @@ MAX_TRIED, TRIED_STEPS = 5, 10
 SETTINGS = "hip."
 """Parameters that a runner changes at will; they are tried instead of a varied one, too."""
 UNCHANGEABLE = ("gravity",)
-"""Parameters that nobody can change, which are not suggested as a help."""
+"""Parameters that cannot be changed, which are not suggested."""
 
 
 class Iterate(NamedTuple):

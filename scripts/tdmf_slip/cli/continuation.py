@@ -117,7 +117,9 @@ def _curves(
         points *= [display.factor(name) for name in spans]
         lines.append(table(header, [[f"{value:.10g}" for value in point] for point in points]))
     plain = {**runner.record(*spans), "over": list(spans), "curves": curves}
-    return Answer(plain, "\n".join(lines), lambda: found, {"display": display})
+    first, second = spans
+    none = f"no curves: gaits over {first} have no special points at this {second}; try a wider range"
+    return Answer(plain, "\n".join(lines) or none, lambda: found, {"display": display})
 
 
 def _branch_object(runner: Runner, parts: "list[xarray.Dataset]") -> dict[str, Any]:
