@@ -17,11 +17,16 @@
 static const int widths[TDMF_INSTRUCTIONS_COUNT] = {
     [TDMF_ONE_BY_ONE] = 1, [TDMF_TWO_LANES] = 2, [TDMF_AVX2] = 4, [TDMF_AVX512] = 8};
 
-bool tdmf_has_instructions(tdmf_instructions instructions) {
-    const int number = (int)instructions;
-    const tdmf_ensemble any = {.page = tdmf_runner_kind ? NULL : (const tdmf_page *)tdmf_pages[0].model};
-    const tdmf_model_kind model = tdmf_kind_of(&any)->model(&any, false);
+bool tdmf_can_step(const tdmf_ensemble *ensemble) {
+    const int number = (int)ensemble->instructions;
+    const tdmf_model_kind model = tdmf_kind_of(ensemble)->model(ensemble, false);
     return number >= 0 && number < TDMF_INSTRUCTIONS_COUNT && tdmf_batch_has_width(&model, widths[number]);
+}
+
+bool tdmf_has_instructions(tdmf_instructions instructions) {
+    const tdmf_ensemble any = {.page = tdmf_runner_kind ? NULL : (const tdmf_page *)tdmf_pages[0].model,
+                               .instructions = instructions};
+    return tdmf_can_step(&any);
 }
 
 const char *tdmf_instructions_name(tdmf_instructions instructions) {
@@ -83,6 +88,9 @@ static bool find_memory(batch_memory *memory, int64_t count, int number_count,
     const size_t places = (size_t)count;
     const size_t numbers = places * (size_t)(number_count + 1) * sizeof(double);
     memory->events = notes ? notes->event_room : 0;
+    if ((size_t)memory->events > SIZE_MAX / 2 / sizeof *memory->rows / places) {
+        return false;
+    }
     const size_t events = places * (size_t)memory->events;
     char *all =
         calloc(1, numbers + events * sizeof *memory->rows +

@@ -78,7 +78,7 @@ static void open_stride(tdmf_member *member, double steps_left) {
     tdmf_page_run *run = member->run;
     member->steps_left = steps_left;
     member->steps_before = run->steps;
-    run->step_limit = (long)steps_left;
+    run->step_limit = tdmf_step_limit_of(steps_left);
     *member->until = run->time + member->kind->longest_stride(member);
 }
 
@@ -104,7 +104,8 @@ static bool settles(tdmf_member *member, int gait) {
 static void write_start(const tdmf_ensemble *ensemble, int64_t index, tdmf_ensemble_end *end) {
     static const tdmf_ensemble_end nothing_yet = {.fate = TDMF_FATE_UNDECIDED, .gait = -1};
     *end = nothing_yet;
-    memcpy(end->apex, ensemble->starts[index], sizeof end->apex);
+    memcpy(end->apex, ensemble->starts[index],
+           (size_t)tdmf_kind_of(ensemble)->coordinates(ensemble) * sizeof *end->apex);
     end->foot_x = ensemble->foot_x ? ensemble->foot_x[index] : 0.0;
     if (ensemble->checkpoints) {
         ensemble->checkpoints[index].stands = false;

@@ -107,7 +107,6 @@ static void set(tdmf_member *member, int setting, double value) {
 static bool start(tdmf_member *member) {
     const tdmf_section_kind *section = section_of(member->ensemble);
     const tdmf_model_kind *of = model_of(member->ensemble);
-    const int64_t record = tdmf_open_record(member);
     tdmf_page_run *run = member->run;
     const double *point = member->end->apex;
     double sum = 0.0; /* 0, or not a number */
@@ -120,15 +119,19 @@ static bool start(tdmf_member *member) {
     run->stop_event = section->event;
     *member->until = longest;
     member->has_started = true;
-    if (record >= 0) {
-        member->ensemble->strides[record].began = 1;
-    }
     if (sum != 0.0 || !tdmf_are_page_values_sound(of, run->p, member->held)) {
         return tdmf_give_up(member, TDMF_FATE_NO_START);
     }
     memcpy(run->x, member->held, (size_t)of->state_count * sizeof *run->x);
     section->enter(run->p, member->held, point, run->x);
-    return tdmf_unmet_requirement(of, run) == 0 || tdmf_give_up(member, TDMF_FATE_NO_START);
+    if (tdmf_unmet_requirement(of, run) != 0) {
+        return tdmf_give_up(member, TDMF_FATE_NO_START);
+    }
+    const int64_t record = tdmf_open_record(member);
+    if (record >= 0) {
+        member->ensemble->strides[record].began = 1;
+    }
+    return true;
 }
 
 static bool changes(const tdmf_member *member) {

@@ -7,10 +7,14 @@
 #include <float.h>
 #include <limits.h>
 #include <math.h>
+#include <stdint.h>
 #include <string.h>
 
 /* Beyond this, sums of products would not be finite. */
 static const double largest = 1e100;
+
+/* More runners have no room in memory for their ends. */
+static const int64_t most_runners = PTRDIFF_MAX / (int64_t)sizeof(tdmf_ensemble_end);
 
 bool tdmf_has_setting(const int *settings, int count, int setting) {
     for (int i = 0; i < count; ++i) {
@@ -28,10 +32,10 @@ static bool has_value(tdmf_refusal *why, const char *name, int64_t index, const 
     return tdmf_accepts_element(why, name, index, value, fmax(least, -DBL_MAX), fmin(most, DBL_MAX));
 }
 
-static bool are_settings(tdmf_refusal *why, const char *name, const int *settings, int count,
-                         const tdmf_ensemble *ensemble) {
+static bool are_settings(tdmf_refusal *why, const char *name, const int *settings, const char *count_name,
+                         int count, const tdmf_ensemble *ensemble) {
     double least, most;
-    if (!tdmf_accepts_array(why, name, settings, name, count, TDMF_SETTING_LIMIT)) {
+    if (!tdmf_accepts_array(why, name, settings, count_name, count, TDMF_SETTING_LIMIT)) {
         return false;
     }
     for (int i = 0; i < count; ++i) {
@@ -86,7 +90,8 @@ static bool is_law(tdmf_refusal *why, const tdmf_affine_law *law, const tdmf_ens
                   {"cases[].rules.law.gain", law->gain},
                   {"cases[].rules.law.low", law->low},
                   {"cases[].rules.law.high", law->high}};
-    if (!are_settings(why, "cases[].rules.law.settings", law->settings, law->count, ensemble)) {
+    if (!are_settings(why, "cases[].rules.law.settings", law->settings, "cases[].rules.law.count", law->count,
+                      ensemble)) {
         return false;
     }
     for (size_t i = 0; law->count > 0 && i < sizeof arrays / sizeof arrays[0]; ++i) {
@@ -106,7 +111,7 @@ static bool is_law(tdmf_refusal *why, const tdmf_affine_law *law, const tdmf_ens
 
 static bool are_given(tdmf_refusal *why, const tdmf_ensemble *ensemble) {
     const tdmf_given_settings *given = ensemble->given;
-    if (!are_settings(why, "given.settings", given->settings, given->count, ensemble) ||
+    if (!are_settings(why, "given.settings", given->settings, "given.count", given->count, ensemble) ||
         !tdmf_accepts_number(why, "given.first", "1", given->first, 0.0, INT_MAX) ||
         !tdmf_accepts_number(why, "given.strides", "1", given->strides, 1.0, INT_MAX) ||
         !tdmf_accepts_array(why, "given.values", given->values, "given.count", given->count * ensemble->count,
@@ -123,8 +128,9 @@ static bool are_given(tdmf_refusal *why, const tdmf_ensemble *ensemble) {
     return true;
 }
 
-bool tdmf_are_weights(tdmf_refusal *why, const char *name, const double *weights, int count) {
-    if (!tdmf_accepts_array(why, name, weights, name, count, INT_MAX)) {
+bool tdmf_are_weights(tdmf_refusal *why, const char *name, const double *weights, const char *count_name,
+                      int count) {
+    if (!tdmf_accepts_array(why, name, weights, count_name, count, INT_MAX)) {
         return false;
     }
     for (int i = 0; i < count; ++i) {
@@ -211,14 +217,14 @@ bool tdmf_is_sound_ensemble(tdmf_refusal *why, const tdmf_ensemble *ensemble, co
            tdmf_accepts_if(why, tdmf_kind_of(ensemble) != NULL, TDMF_UNAVAILABLE, "page", 0,
                            "this library does not have the model") &&
            tdmf_kind_of(ensemble)->is_sound(why, ensemble) &&
-           tdmf_accepts_array(why, "ends", ends, "count", ensemble->count, INT64_MAX) &&
+           tdmf_accepts_array(why, "ends", ends, "count", ensemble->count, most_runners) &&
            tdmf_accepts_array(why, "starts", ensemble->starts, "count", ensemble->count, INT64_MAX) &&
            tdmf_accepts_array(why, "cases", ensemble->cases, "case_count", ensemble->case_count, INT_MAX) &&
            tdmf_accepts_number(why, "threads", "1", ensemble->threads, 1.0, INT_MAX) &&
            tdmf_accepts_number(why, "step_limit", "1", (double)ensemble->step_limit, 0.0, (double)LONG_MAX) &&
            is_tolerance(why, ensemble->relative_tolerance) &&
-           tdmf_accepts_if(why, tdmf_has_instructions(ensemble->instructions), TDMF_UNAVAILABLE,
-                           "instructions", 0, "this processor or this build does not have them") &&
+           tdmf_accepts_if(why, tdmf_can_step(ensemble), TDMF_UNAVAILABLE, "instructions", 0,
+                           "this processor or this build does not have them") &&
            (ensemble->given == NULL || are_given(why, ensemble)) && has_cases(why, ensemble) &&
            has_room(why, ensemble) && has_checkpoints(why, ensemble);
 }

@@ -7,8 +7,12 @@
 
 bool tdmf_is_sound_ensemble(tdmf_refusal *why, const tdmf_ensemble *ensemble, const tdmf_ensemble_end *ends);
 
+/* True if the model of the ensemble has lanes for the instructions, and the processor has them. */
+bool tdmf_can_step(const tdmf_ensemble *ensemble);
+
 /* Weights that sums of products stand. */
-bool tdmf_are_weights(tdmf_refusal *why, const char *name, const double *weights, int count);
+bool tdmf_are_weights(tdmf_refusal *why, const char *name, const double *weights, const char *count_name,
+                      int count);
 
 /* Whether a setting is among others. */
 bool tdmf_has_setting(const int *settings, int count, int setting);

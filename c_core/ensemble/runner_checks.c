@@ -51,9 +51,10 @@ static bool has_ground(tdmf_refusal *why, const tdmf_ensemble_rules *rules, cons
     return is_drawn(why, "cases[].rules.roughness", rules->roughness, "ground.height", rules, ensemble) &&
            is_drawn(why, "cases[].rules.friction_spread", rules->friction_spread, "ground.friction", rules,
                     ensemble) &&
-           tdmf_are_weights(why, "rules.step_weights[]", rules->step_weights, rules->step_weight_count) &&
+           tdmf_are_weights(why, "rules.step_weights[]", rules->step_weights,
+                            "cases[].rules.step_weight_count", rules->step_weight_count) &&
            tdmf_are_weights(why, "rules.friction_weights[]", rules->friction_weights,
-                            rules->friction_weight_count);
+                            "cases[].rules.friction_weight_count", rules->friction_weight_count);
 }
 
 static bool are_heights(tdmf_refusal *why, const tdmf_terrain *terrain) {

@@ -61,7 +61,7 @@ static void run_from(search *search, const double *apex, bool derivatives, tdmf_
     request.foot_x = NULL;
     request.derivatives = derivatives;
     request.measures = false;
-    solver->step_limit = (long)search->steps_left;
+    solver->step_limit = tdmf_step_limit_of(search->steps_left);
     tdmf_run_stride(&request, stride);
     solver->step_limit = step_limit;
     search->steps_left -= (double)(solver->steps - steps_before);

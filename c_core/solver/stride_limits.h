@@ -5,6 +5,8 @@
 
 #include "tdmf_slip/solver.h"
 
+#include <limits.h>
+
 /* Time limit of a stride, in sqrt(m/k). */
 #define TDMF_LONGEST_STRIDE 1e4
 
@@ -12,6 +14,12 @@
 static inline double tdmf_steps_of_next_stride(double left_over, double step_limit) {
     const double steps = left_over + step_limit / TDMF_STEP_SHARE;
     return steps < step_limit ? steps : step_limit;
+}
+
+/* A step limit as an integer, to which the steps made before can be added without overflow. */
+static inline long tdmf_step_limit_of(double steps) {
+    const long most = LONG_MAX / 2;
+    return steps < (double)most ? (long)steps : most;
 }
 
 #endif

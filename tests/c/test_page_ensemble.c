@@ -2,6 +2,7 @@
 #include "compare.h"
 #include "crowd.h"
 
+#include <limits.h>
 #include <math.h>
 #include <string.h>
 
@@ -144,6 +145,47 @@ TEST(runs_of_a_page_are_iterates_of_its_return_map) {
     }
 }
 
+/* The pages of this library have no motions in lanes, which only the runner needs. */
+TEST(instructions_without_lanes_of_the_page_are_refused) {
+    static hoppers h;
+    tdmf_instructions sets[TDMF_INSTRUCTIONS_COUNT];
+    const int count = list_instructions(sets);
+    for (int i = 0; i < count; ++i) {
+        prepare(&h);
+        h.ensemble.instructions = sets[i];
+        const tdmf_refusal refusal = tdmf_run_ensemble(&h.ensemble, h.ends, NULL);
+        assert_int_equal(refusal.code == TDMF_ACCEPTED, sets[i] == TDMF_ONE_BY_ONE);
+        assert_true(refusal.code == TDMF_ACCEPTED || strcmp(refusal.variable, "instructions") == 0);
+    }
+}
+
+TEST(runs_of_a_page_take_any_step_limit) {
+    static hoppers h;
+    prepare(&h);
+    h.ensemble.step_limit = LONG_MAX;
+    run(&h);
+    assert_iterates(&h);
+}
+
+/* Rows of points are wider than the section. */
+TEST(numbers_behind_the_coordinates_have_no_effect) {
+    static hoppers h;
+    static tdmf_ensemble_end first[RUNNERS];
+    for (int is_filled = 0; is_filled < 2; ++is_filled) {
+        prepare(&h);
+        for (int i = 0; is_filled && i < RUNNERS; ++i) {
+            for (int k = NOTED; k < TDMF_POINT_LIMIT; ++k) {
+                h.starts[i][k] = NAN;
+            }
+        }
+        run(&h);
+        if (!is_filled) {
+            memcpy(first, h.ends, sizeof first);
+        }
+        assert_memory_equal(h.ends, first, sizeof first);
+    }
+}
+
 TEST(runs_of_a_page_go_on_from_where_they_stand) {
     static hoppers h;
     prepare(&h);
@@ -181,6 +223,7 @@ TEST(requests_that_a_page_cannot_meet_are_refused) {
     const double foot[RUNNERS] = {0.0};
     int unknown = PARAMETERS + STATES;
     REFUSED(h.ensemble.section = -1);
+    REFUSED(h.ensemble.count = INT64_MAX);
     REFUSED(h.ensemble.section = 99);
     REFUSED(h.ensemble.foot_x = foot);
     REFUSED(h.its_case.parameters = NULL);

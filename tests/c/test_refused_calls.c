@@ -449,7 +449,7 @@ TEST(ensembles_refuse_counts_without_arrays) {
                    {given_no_values, "given.values"},
                    {given_no_settings, "given.settings"},
                    {law_without_settings, "cases[].rules.law.settings"},
-                   {law_of_too_many, "cases[].rules.law.settings"},
+                   {law_of_too_many, "cases[].rules.law.count"},
                    {law_without_nominal, "cases[].rules.law.nominal"},
                    {law_without_gain, "cases[].rules.law.gain"},
                    {law_without_low, "cases[].rules.law.low"},
