@@ -251,6 +251,16 @@ def test_placed_eigenvalues_are_those_of_the_closed_loop_by_differences_through_
         assert np.abs(found - value).min() < 1e-4
 
 
+@pytest.mark.parametrize("wanted", [(0.5, -0.2, 0.01), (0.1 + 0.2j, 0.1 - 0.2j, 0.05)])
+def test_gains_do_not_depend_on_rounding(gaits, wanted):
+    gait, random = gaits[0.6], np.random.default_rng(0)
+    law = place_poles(gait, [ANGLE, TORQUE], wanted)
+    for _ in range(10):
+        moved = gait.jacobian * (1 + 1e-13 * random.normal(size=gait.jacobian.shape))
+        other = place_poles(dataclasses.replace(gait, jacobian=moved), [ANGLE, TORQUE], wanted)
+        assert other.K == pytest.approx(law.K, rel=1e-8, abs=1e-10)
+
+
 # ---- any runner --------------------------------------------------------------------------------------------
 
 

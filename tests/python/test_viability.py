@@ -327,10 +327,14 @@ GOOD = {"axes": AXES, "vary": VARY, "n": 4}
         ),
         ({"wish": {"hip.kp": 1.0}}, "wish: 'hip.kp' is not allowed; allowed: hip.touchdown_angle"),
         ({"wish": {ANGLE: "much"}}, "wish: hip.touchdown_angle = much is not allowed"),
+        ({"apex": [1.4]}, "apex = .1.4. is not allowed; allowed: the coordinates of an apex"),
+        ({"apex": "a"}, "apex = 'a' is not allowed"),
     ],
 )
 def test_what_is_not_allowed_is_refused(found, bad, message):
     with pytest.raises(InputError, match=message):
+        if "apex" in bad:
+            tdmf_slip.ViableController(found).inputs_at(**bad)
         if "wish" in bad:
             tdmf_slip.ViableController(found, **bad)
         tdmf_slip.viability(**({"runner": STICKING} | GOOD | bad))

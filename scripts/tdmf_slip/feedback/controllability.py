@@ -157,8 +157,12 @@ class Modes:
 
 
 def lasting_modes(model: Linearization, negligible: float = NEGLIGIBLE) -> Modes:
-    """The modes that are to be moved."""
-    from scipy.linalg import schur  # slow to load
+    """The modes that are to be moved, over a basis that does not depend on rounding.
+
+    LAPACK's Schur vectors are unique but for signs or rotations, which rounding may change. With pivots,
+    a QR decomposition of the basis has the same triangular factor, up to signs, for each of them.
+    """
+    from scipy.linalg import qr, schur  # slow to load
 
     threshold = number_of(negligible)
     if threshold is None or not 1e-9 <= threshold < 1.0:
@@ -167,11 +171,12 @@ def lasting_modes(model: Linearization, negligible: float = NEGLIGIBLE) -> Modes
     def lasts(real: float, imaginary: float = 0.0) -> bool:
         return abs(complex(real, imaginary)) > threshold
 
-    transposed, vectors, count = schur(model.state_matrix.T, output="real", sort=lasts)
+    _, vectors, count = schur(model.state_matrix.T, output="real", sort=lasts)
     if not count:
         raise InputError(f"negligible = {threshold:g}: no mode of this gait lasts longer; allowed: less")
-    directions = vectors[:, :count]
-    return Modes(directions, transposed[:count, :count].T, directions.T @ model.input_matrix)
+    rotation, triangular, _ = qr(vectors[:, :count].T, mode="economic", pivoting=True)
+    directions = vectors[:, :count] @ (rotation * np.sign(np.diag(triangular)))
+    return Modes(directions, directions.T @ model.state_matrix @ directions, directions.T @ model.input_matrix)
 
 
 RANK_TOLERANCE = 1e-9

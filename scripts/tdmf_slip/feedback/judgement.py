@@ -27,11 +27,11 @@ from ..given import row_of
 from ..library.gait import Gait, check_is_gait
 from ..library.ground import LARGEST, RoughGround
 from ..library.laws import AffineLaw, Law, check_law
-from ..library.section import COORDINATES
 from ..terminal.progress import progress_bar
 from .gains import Feedback
 
-HEIGHT = COORDINATES.index("com_height")
+HEIGHT = "com_height"
+"""Coordinate of the section that a step of the ground changes."""
 
 
 def apex_covariance(feedback: Feedback, roughness: float = 0.0) -> NDArray[np.float64]:
@@ -77,10 +77,18 @@ def apex_covariance(feedback: Feedback, roughness: float = 0.0) -> NDArray[np.fl
             "the runner strays without end; allowed: below 1"
         )
     model = feedback.linearization
-    scales = model.scales
+    scales, coordinates = model.scales, model.gait.runner.coordinates
+    if roughness and HEIGHT not in coordinates:
+        raise InputError(
+            f"roughness = {roughness:g} is not allowed; allowed: 0 for a section without {HEIGHT}, "
+            f"whose coordinates are {', '.join(coordinates)}"
+        )
     by_noise = model.input_matrix @ model.over_scales(feedback.gain) * np.asarray(feedback.noise) / scales
-    by_step = roughness * model.state_matrix[:, HEIGHT] / scales[HEIGHT]
-    driven = by_noise @ by_noise.T + np.outer(by_step, by_step)
+    driven = by_noise @ by_noise.T
+    if roughness:
+        height = coordinates.index(HEIGHT)
+        by_step = roughness * model.state_matrix[:, height] / scales[height]
+        driven += np.outer(by_step, by_step)
     spread: NDArray[np.float64] = solve_discrete_lyapunov(feedback.closed_loop, driven)
     return spread * np.outer(scales, scales)
 

@@ -7,6 +7,7 @@ Moolgavkar 1988, Applied Statistics 37, 87-94). Where the data identify the para
 linear interval; where they identify it poorly it is not symmetric, and may have no end.
 """
 
+import contextlib
 from collections.abc import Iterator
 from typing import TypeAlias
 
@@ -27,7 +28,7 @@ from .result import (
     identified,
     probability_of,
 )
-from .search import Ended, best_from, is_stationary, searched, weights_of
+from .search import Ended, across_folds, best_from, is_stationary, searched, weights_of
 
 AGAIN = 3
 """Largest number of fits that are begun anew where a profile has led to a better one."""
@@ -270,17 +271,22 @@ class Profile:
         return float(np.sqrt(max(rise, 0.0)))
 
     def _constrained(self, number: int, value: float, seen: Vector) -> Ended | None:
-        """The others fitted while one is held, from where they are predicted; None where no gaits are."""
-        moved = value - seen[number]
+        """Fit of the others while one is held, begun where they are predicted; None where no gaits are found."""
+        for begin in self._begins(number, value, seen):
+            with contextlib.suppress(RunError):
+                found = searched(self.problem, begin, number, CHANGE)
+                if np.isfinite(found.residuals).all():
+                    return found
+        return None
+
+    def _begins(self, number: int, value: float, seen: Vector) -> Iterator[Vector]:
+        """Unknowns to begin at: along the linear prediction, beside it, and across the folds nearby."""
         along = self.covariance[:, number] / (self.covariance[number, number] or 1.0)
         for share in (1.0, 0.0):
-            begin = seen + share * moved * along
+            begin = seen + share * (value - seen[number]) * along
             begin[number] = value
             begin = np.clip(begin, *self.problem.bounds)
-            try:
-                found = searched(self.problem, begin, number, CHANGE)
-            except RunError:
-                continue
-            if np.isfinite(found.residuals).all():
-                return found
-        return None
+            yield begin
+        beyond = across_folds(self.problem, begin, number)
+        if beyond is not None:
+            yield beyond

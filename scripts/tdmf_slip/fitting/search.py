@@ -306,25 +306,36 @@ class Across:
         return slopes
 
 
-def across_folds(problem: Problem, unknowns: Vector) -> Vector | None:
-    """Unknowns beyond a fold at which a search along the gaits has ended; the problem goes on from there."""
+def across_folds(problem: Problem, unknowns: Vector, fixed: int | None = None) -> Vector | None:
+    """Unknowns beyond a fold at which a search along the gaits has ended, with all free but the one fixed.
+
+    The problem goes on from there. None if no gaits are found beyond the fold.
+    """
     from scipy.optimize import least_squares  # slow to load
 
     across = Across(problem, unknowns)
-    free = np.full(len(across.begin) - len(unknowns), np.inf)
+    first, free = across.begin, np.arange(len(across.begin)) != fixed
+    bounds = np.tile([[-np.inf], [np.inf]], len(first))
+    bounds[:, : len(unknowns)] = problem.bounds
+
+    def at(freed: Vector) -> Vector:
+        there = first.copy()
+        there[free] = freed
+        return there
+
     try:
         found: Any = least_squares(
-            across.residuals,
-            across.begin,
-            across.jacobian,
-            bounds=(np.append(problem.bounds[0], -free), np.append(problem.bounds[1], free)),
+            lambda freed: across.residuals(at(freed)),
+            first[free],
+            lambda freed: across.jacobian(at(freed))[:, free],
+            bounds=bounds[:, free],
             method="trf",
             ftol=CHANGE_ACROSS,
             xtol=CHANGE_ACROSS,
             gtol=CHANGE_ACROSS,
             max_nfev=MAX_STEPS_ACROSS,
         )
-        reached, apexes = across.split(found.x)
+        reached, apexes = across.split(at(found.x))
         values = problem.values(reached)
         runners = [problem.runner_of(values, row) for row in range(len(apexes))]
         problem.restart(reached, [gait_near(*ends).apex for ends in zip(runners, apexes, strict=True)])

@@ -115,7 +115,7 @@ class ViableController:
         dict of str to float
             By setting, in its unit.
         """
-        return {name: float(values[0]) for name, values in self(np.asarray(apex, float)[None]).items()}
+        return {name: float(values[0]) for name, values in self._settings(self._cell(apex)).items()}
 
     def grade_at(self, apex: ArrayLike) -> str:
         """How good the choice at an apex is: one of `GRADES`.
@@ -130,8 +130,16 @@ class ViableController:
         str
             `viable`, `open` or `not viable`.
         """
-        cell = int(self.grid.cell_of(np.asarray(apex, float)[None, self.columns])[0])
+        cell = int(self._cell(apex)[0])
         return GRADES[self.levels[cell] if cell >= 0 else 0]
+
+    def _cell(self, apex: ArrayLike) -> NDArray[np.intp]:
+        """Number of the cell that holds an apex, -1 outside of the grid, shape (1,)."""
+        allowed = f"the coordinates of an apex, among them {' and '.join(self.grid.edges)}"
+        values = numbers_of("apex", apex, allowed)
+        if values.ndim != 1 or len(values) <= max(self.columns):
+            raise refusal("apex", apex, allowed)
+        return self.grid.cell_of(values[None, self.columns])
 
     def __call__(self, apices: NDArray[np.float64], stride_number: int = 0) -> dict[str, NDArray[np.float64]]:
         """Actions at the apices of many runners, by name: the controller is a law for a `Batch`."""
