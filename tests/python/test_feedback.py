@@ -30,7 +30,7 @@ HUMAN = pathlib.Path(__file__).parent / "fast_human.toml"
 DRAWN = 24 if RELEASE else 6
 FRICTIONS = (0.1, 0.2, 0.6, 1.0, 10.0)
 SIZES = {1: 1e-6, 2: 1e-5, 3: 1e-5}
-"""Deviations that dead-beat laws of so many settings take away: fewer settings go farther on the way."""
+"""Deviations that dead-beat laws remove, by number of settings: with fewer settings, the way is longer."""
 RUNNERS = {
     "default": {THRUST: 0.05},
     "slippery": {"ground.friction": 0.1, THRUST: 0.05},
@@ -45,14 +45,14 @@ def gaits():
 
 
 def next_apex(runner, apex, settings):
-    """By the return map alone."""
+    """Next apex by the return map alone."""
     for name, value in settings.items():
         runner = runner.replace({name: value})
     return stride_from(runner, apex, ANGLE)[0]
 
 
 def strides_under(law, apex, count):
-    """Apices in a row, the first one too, by a plain loop over the return map."""
+    """Apices of strides in a row, with the first one, by a plain loop over the return map."""
     apices = [apex]
     for _ in range(count):
         apices.append(next_apex(law.linearization.gait.runner, apices[-1], law.inputs_at(apices[-1])))
@@ -65,7 +65,7 @@ def deviations(law, apices):
 
 
 def away(gait, size, seed=0):
-    """An apex so far from the gait's, over the scales, in a direction of all coordinates."""
+    """Apex at a distance from that of the gait, over the scales, in a direction of all coordinates."""
     direction = np.random.default_rng(seed).normal(size=len(gait.apex))
     return gait.apex + size * direction / np.linalg.norm(direction) * gait.runner.scales
 
@@ -100,7 +100,7 @@ def test_a_foot_that_sticks_makes_the_stride_forget_three_modes_and_one_that_sli
 
 
 def test_gains_of_a_scaled_runner_are_scaled():
-    """The same groups at m = 80, k = 20000, l0 = 0.9: the same closed loop, and gains in its units."""
+    """A scaled runner (m = 80, k = 20000, l0 = 0.9) has the same closed loop, and gains in its units."""
     m, k, l0 = 80.0, 20_000.0, 0.9
     energy, time = k * l0**2, (m / k) ** 0.5
     usual, scales = Runner(), {"body.mass": m, "foot.mass": m, "leg.stiffness": k, "gravity": k * l0 / m}
@@ -140,7 +140,7 @@ def test_controllability_is_told_in_numbers(gaits):
 
 
 def test_modal_controllability_is_by_left_eigenvectors_of_the_whole_jacobian(gaits):
-    """An independent derivation: it is computed from the modes that last alone."""
+    """The whole Jacobian is an independent check: the library uses only the modes that last."""
     model = linearize(gaits[1.0], [ANGLE, TORQUE])
     values, left = np.linalg.eig(model.state_matrix.T)
     left = left[:, np.argsort(-np.abs(values))[:3]]
@@ -159,7 +159,7 @@ def test_a_mode_that_no_setting_moves_is_named():
 
 
 def test_the_settings_of_so_few_strides_reach_the_gait_and_those_of_one_less_do_not(gaits):
-    """Brute force: the least squares of all settings of n strides, from random apices."""
+    """Brute force: least squares over all settings of n strides, from random apices."""
     compared = 0
     power = np.linalg.matrix_power
     for friction, gait in gaits.items():
@@ -204,7 +204,7 @@ def test_a_mode_left_alone_keeps_its_eigenvalue(gaits):
 
 
 def test_the_least_settings_reach_the_gait():
-    """Two settings that act alike share the work: the law is that of least norm."""
+    """Two settings with the same effect share it: the law is that of least norm."""
     gait = find_gait()
     law = dead_beat(gait, [ANGLE, "control.touchdown_angle"])
     alone = dead_beat(gait, [ANGLE])
@@ -258,14 +258,14 @@ def test_gains_do_not_depend_on_rounding(gaits, wanted):
     for _ in range(10):
         moved = gait.jacobian * (1 + 1e-13 * random.normal(size=gait.jacobian.shape))
         other = place_poles(dataclasses.replace(gait, jacobian=moved), [ANGLE, TORQUE], wanted)
-        assert other.K == pytest.approx(law.K, rel=1e-8, abs=1e-10)
+        assert pytest.approx(law.K, rel=1e-8, abs=1e-10) == other.K
 
 
 # ---- any runner --------------------------------------------------------------------------------------------
 
 
 def drawn_runner(source):
-    """Its parameters are within factors of 1.6 of the default ones, its friction is from 0.05 to 7."""
+    """Random runner: parameters within factors of 1.6 of the defaults, friction from 0.05 to 7."""
     usual = Runner()
     names = ("foot.mass", "leg.stiffness", "leg.damping", "gravity", TORQUE, "hip.kp", "hip.kd")
     factors = dict.fromkeys(names, 0.5)
@@ -275,7 +275,7 @@ def drawn_runner(source):
 
 
 def test_any_gait_is_held_stable_or_not():
-    """A dead-beat law leaves less than 2 % of 1e-6, of which a stride of the ensemble errs by 1e-11.
+    """A dead-beat law leaves less than 2 % of a deviation of 1e-6; a stride of the ensemble errs by 1e-11.
 
     Of 6 random runners, or with --release of 24.
     """
@@ -300,7 +300,7 @@ def test_any_gait_is_held_stable_or_not():
 @pytest.mark.parametrize("roughness", [0.0, 1e-3])
 @pytest.mark.parametrize("friction", [0.1, 10.0])
 def test_noise_spreads_the_apices_as_the_lyapunov_equation_says(gaits, friction, roughness):
-    """There are n runners, so that a covariance errs by sqrt((P_ii P_jj + P_ij^2) / n).
+    """The sampling error of a covariance from n runners is sqrt((P_ii P_jj + P_ij^2) / n).
 
     That is 6 % of a variance with 500 of them, with --release 3 % with 2000.
     """

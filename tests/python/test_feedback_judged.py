@@ -1,4 +1,4 @@
-"""Feedback judged by what counts, by the ensemble: attraction, disturbances, and strides on rough ground."""
+"""Value of feedback in the ensemble: attraction, disturbances, and strides on rough ground."""
 
 import dataclasses
 import json
@@ -18,13 +18,13 @@ ANGLE, TORQUE = feedback.ANGLE, feedback.TORQUE
 
 @pytest.fixture(scope="module")
 def gait():
-    """With the clamp; where the swing is free, feedback keeps this runner up no longer."""
+    """The swing is clamped; with a free swing, feedback does not delay the falls of this runner."""
     return tdmf_slip.find_gait({"ground.friction": 1.0, **CLAMPED})
 
 
 @pytest.fixture
 def few(monkeypatch):
-    """Runs that take a moment."""
+    """Shorten the runs."""
     monkeypatch.setattr(attraction, "COARSE", 50)
     monkeypatch.setattr(judgement, "SAMPLES", 60)
     monkeypatch.setattr(judgement, "RUNNERS", 48)
@@ -32,7 +32,7 @@ def few(monkeypatch):
 
 
 def test_a_runner_with_feedback_stays_up_longer_and_without_as_it_is(gait, few):
-    """At friction 1 some ten times longer, of which the sampling error of 48 runners leaves a factor of 3."""
+    """Runs at friction 1 are about ten times longer; the sampling error of 48 runners allows a factor of 3."""
     law = feedback.laws(gait)["quadratic regulator: angle and torque"]
     noisy = dataclasses.replace(law, noise=feedback.NOISE * gait.runner.scales, seed=1)
     held, alone = (judgement.judge(gait, its, roughness=[0.3], seed=2) for its in (noisy, None))
@@ -44,7 +44,7 @@ def test_a_runner_with_feedback_stays_up_longer_and_without_as_it_is(gait, few):
 
 
 def test_regions_of_attraction_are_those_without_noise(gait, few):
-    """With it no runner settles closer than it strays."""
+    """Under noise, no runner settles closer to the gait than its noise lets it stray."""
     law = feedback.laws(gait)["quadratic regulator: angle and torque"]
     loud = dataclasses.replace(law, noise=gait.runner.scales)
     judged = judgement.judge(gait, loud)
@@ -72,7 +72,7 @@ def test_a_basin_under_a_feedback_keeps_the_law(gait):
 
 
 def test_what_is_kept_of_the_figure_is_what_is_measured(few, monkeypatch):
-    """One row anew, with fewer runs: within the confidence of both."""
+    """A row is computed again with fewer runs, and agrees within the confidence of both."""
     data = stored("feedback")
     assert len(data["law"]) == len(feedback.COLOURS) * len(feedback.FRICTIONS)
     monkeypatch.setattr(judgement, "RUNNERS", 256)

@@ -32,7 +32,7 @@ MEASURED = ("speed", "frequency", "stance_time", "duty_factor", "slip_distance",
 
 
 def measured(gait, names=MEASURED, error=0.005):
-    """What a gait has, as if measured without error; a slip of none is told to a thousandth of a stride."""
+    """Quantities of a gait as exact data; the error of a slip of zero is a thousandth of a stride."""
     quantities = quantities_of(gait, names)
     smallest = {"slip_distance": 1e-3 * gait.stride["length"]}
     return {
@@ -57,7 +57,7 @@ def test_the_gait_is_found_from_elsewhere():
 
 
 def test_gaits_that_are_lost_on_the_way_are_told():
-    """A speed that no gait has by this parameter, told precisely: chi square is above 1e8."""
+    """A precise speed that no gait over this parameter has: chi square is above 1e8."""
     found = fit(None, Measurements(({"speed": Measured(4.0, 1e-4)},), "too fast"), ["hip.touchdown_angle"])
     notes = " ".join(found.notes)
     assert "has no gait" in notes and "the data are not met" in notes and "mean nothing" in notes
@@ -74,7 +74,7 @@ def test_gaits_that_are_lost_on_the_way_are_told():
     ],
 )
 def test_the_search_goes_on_across_folds(runner, model, row, free):
-    """Beyond the fold at which the branch of the first gait ends there are gaits as measured."""
+    """The measured gaits are beyond the fold at which the branch of the first gait ends."""
     found = fit(runner, Measurements((row,), "beyond a fold"), free, model=model)
     assert found.chi_square < 1e-9 and found.converged
     assert "the search went on across a fold, where gaits turn back" in found.notes
@@ -99,7 +99,7 @@ def test_the_search_across_folds_has_exact_derivatives():
 
 
 def test_two_measurements_of_one_speed_are_met_in_their_middle():
-    """Both are one error off: chi square is 2, whose chance with one degree of freedom is erfc(1)."""
+    """Both data are one error off: chi square is 2, with probability erfc(1) at one degree of freedom."""
     rows = tuple({"speed": Measured(speed, 0.01)} for speed in (1.0, 1.02))
     found = fit(None, Measurements(rows, "twice"), ["hip.stance_torque"])
     assert [residual.fitted for residual in found.residuals] == pytest.approx([1.01, 1.01], abs=1e-6)
@@ -109,7 +109,7 @@ def test_two_measurements_of_one_speed_are_met_in_their_middle():
 
 
 def test_a_fit_ends_after_so_many_strides_and_says_so(monkeypatch):
-    """As with speeds in km/h where m/s are written."""
+    """Speeds in km/h under the unit m/s are an example of such data."""
     monkeypatch.setattr(problem_module, "MAX_STRIDES", 60)
     row = {"speed": Measured(3.6, 0.01), "frequency": Measured(0.04, 0.001)}
     found = fit(None, Measurements((row,), "too fast"), ["hip.stance_torque", "leg.stiffness"])
@@ -150,7 +150,7 @@ def test_what_acts_as_a_sum_is_one_combination():
 
 
 def test_what_acts_as_a_product_is_one_combination():
-    """Times and places do not tell masses, stiffness, damping and torques but their ratios."""
+    """Times and places identify only the ratios of masses, stiffness, damping and torques."""
     scaled = ["body.mass", "foot.mass", "leg.stiffness", "leg.damping"]
     scaled += ["hip.stance_torque", "hip.kp", "hip.kd"]
     names = ("speed", "frequency", "stance_time", "slip_distance")
@@ -165,7 +165,7 @@ def test_what_acts_as_a_product_is_one_combination():
 
 
 def test_a_combination_is_poorly_identified_where_its_interval_is_as_wide_as_itself():
-    """The interval is 1.96 errors to each side; the error over the value is one over the singular value."""
+    """The interval is 1.96 errors wide on each side; the relative error is the inverse singular value."""
     for size, count in ((1.2, 1), (1.9, 1), (2.0, 0), (2.5, 0)):
         known = identified(np.array([[size]]), ["leg.damping"], np.array([0.2]), 1.95996)
         assert [of.standard_error for of in known.unidentified] == pytest.approx([1.0 / size] * count)
@@ -195,7 +195,7 @@ def test_a_table_has_comments_and_empty_cells(tmp_path):
 @pytest.mark.parametrize("row", ["1.0;0.01;0.04;0.001", "1,0;,01;0,04;1,0e-3", '1,0;"0,01"; 0,04 ;0,001'])
 @pytest.mark.parametrize("separator", [";", "\t"])
 def test_semicolons_and_tabulators_may_be_between_cells(tmp_path, separator, row):
-    """As spreadsheets write where the decimal sign is a comma."""
+    """Spreadsheets write such files in countries with a decimal comma."""
     lines = f"{TABLE.replace(',', separator)}{row.replace(';', separator)}\n"
     table = written(tmp_path, f"# made\n{lines}")
     (found,) = measurements_of(table).rows
@@ -278,7 +278,7 @@ def test_the_command_prints_writes_and_draws(tmp_path, command):
 
 
 def published(name, columns):
-    """The numbers of the table in a file's comments."""
+    """Numbers of the table in the comments of a file."""
     lines = shipped(name).read_text(encoding="utf-8").splitlines()
     rows = [line.lstrip("# ").split() for line in lines if line.startswith("#")]
     numbers = [

@@ -1,4 +1,4 @@
-"""How surely a fit tells: coverage of its intervals, priors, data far off or left out, and other starts."""
+"""Confidence of a fit: coverage of its intervals, priors, outliers, data left out, and other starts."""
 
 import json
 
@@ -12,7 +12,7 @@ from tdmf_slip.fitting.search import HUBER, loss_of, weights_of
 from test_fit import MEASURED, measured
 
 SEEDS, MINIMUM, MAXIMUM = (400, 0.92, 0.98) if RELEASE else (20, 0.80, 1.0)
-"""By chance the share of 400 is outside these limits once in 200 times, that of 20 once in 390."""
+"""Limits of coverage: by chance, the share of 400 is outside once in 200 times, that of 20 once in 390."""
 WEAK = ("speed", "frequency", "stance_time", "peak_force")
 WEAK_RUNNER = {"ground.friction": 0.6, "leg.damping": 0.234}
 TORQUES = (0.14, 0.17, 0.2, 0.24, 0.28)
@@ -30,8 +30,9 @@ SCENARIOS = {
         *(("leg.damping", "ground.friction"), ("hip.stance_torque",)),
     ),
 }
-"""Map, runners, what is measured of each, to which share of it, what all share and what each has for itself.
-The weak one has five speeds and errors of 8 %."""
+"""Map, runners, measured quantities, relative error, shared parameters, and parameters of single rows.
+
+The weak scenario has five speeds and errors of 8 %."""
 FIRST = {"ground.friction": 0.6}
 
 
@@ -47,11 +48,12 @@ def one_row(row, where="a gait"):
 
 @pytest.mark.parametrize("name", SCENARIOS if RELEASE else list(SCENARIOS)[:1])
 def test_intervals_hold_the_truth_as_often_as_they_say(name):
-    """Seeds from 0 on, of normal errors; intervals of 95 % confidence, of fits that did not converge, too.
+    """Errors are normal, with seeds from 0 on; intervals have 95 % confidence, also those of failed fits.
 
-    Of the weak scenario's 400 fits 386 converged; the others say that they have not. Its intervals follow the
-    likelihood (that of the true friction has risen by less than 3.84 in all but one of the seeds whose
-    intervals hold it), whose ratio is no chi square there: its mean is 1.27.
+    In the weak scenario, 386 of 400 fits converged; the others report that they have not. Its intervals
+    follow the likelihood: in all but one of the seeds whose interval contains the true friction, chi square
+    has risen there by less than 3.84. The likelihood ratio is no chi square in this scenario: its mean is
+    1.27.
     """
     model, runners, names, error, free, each = SCENARIOS[name]
     gaits = [find_gait(runner, model=model) for runner in runners]
@@ -72,7 +74,7 @@ def test_intervals_hold_the_truth_as_often_as_they_say(name):
 
 
 def test_an_interval_ends_where_the_profile_has_risen_by_its_quantile():
-    """By fits with the parameter held: chi square is then 3.84 above its least, at either end."""
+    """Fits with the parameter held at either end have a chi square 3.84 above the least."""
     model, runners, names, error, free, each = SCENARIOS["weak"]
     random = np.random.default_rng(3)
     rows = tuple(disturbed(measured(find_gait(r, model=model), names, error), random) for r in runners)
@@ -89,7 +91,7 @@ def test_an_interval_ends_where_the_profile_has_risen_by_its_quantile():
 
 
 def test_an_interval_that_the_data_do_not_close_ends_at_the_range():
-    """A thrust that may be none at all: its interval ends at zero, and says so."""
+    """A thrust that may be zero: its interval ends there, and reports so."""
     gait = find_gait({"leg.thrust": 0.02})
     row = measured(gait, ("peak_force",), 0.1)
     estimate = fit({"leg.thrust": 0.02}, one_row(row), ["leg.thrust"]).parameters["leg.thrust"]
@@ -120,7 +122,7 @@ def test_the_command_takes_what_is_known_and_leaves_data_out(tmp_path, command):
 
 
 def test_a_prior_and_a_datum_weigh_by_their_errors():
-    """Of two that tell one parameter, the mean is weighted by the squared errors, and the error is less."""
+    """Two sources for one parameter give a mean weighted by inverse squared errors, with a smaller error."""
     gait = find_gait({"ground.friction": 0.6})
     row = measured(gait, MEASURED, 1e-3)
     free = ["leg.stiffness"]
@@ -156,7 +158,7 @@ def test_a_bad_prior_gets_one_sentence(priors, words):
 
 
 def far_off(count=6):
-    """Speeds by one torque, one of which was measured wrong, by twenty errors."""
+    """Speeds under one torque; one of them is an outlier of twenty errors."""
     gait = find_gait({"ground.friction": 0.6})
     speed = gait.stride["speed"]
     values = [speed * (1.0 + 0.01 * off) for off in (0.5, -1.0, 0.8, -0.3, 0.2)[: count - 1]]
@@ -212,7 +214,7 @@ def test_a_fit_without_a_datum_is_that_of_the_others():
 
 
 def test_errors_are_scaled_by_the_residuals_on_request():
-    """Errors a tenth as large give the same intervals, by Student's quantile for five degrees of freedom."""
+    """Intervals do not depend on the scale of the errors; Student's quantile is for 5 degrees of freedom."""
     _, data = far_off()
     smaller = Measurements(
         tuple({"speed": Measured(of.value, 0.1 * of.error)} for of in (row["speed"] for row in data.rows)),
@@ -233,7 +235,7 @@ def test_errors_are_scaled_by_the_residuals_on_request():
 
 
 def test_a_search_that_ends_for_want_of_gaits_has_not_converged(monkeypatch):
-    """An error off, at a fold: chi square is small enough, but is not least there."""
+    """The search ends at a fold, an error off: chi square is small enough, but not least."""
     row = {"speed": Measured(0.6, 0.1)}
     monkeypatch.setattr("tdmf_slip.fitting.search.across_folds", lambda *arguments: None)
     found = fit(None, one_row(row), ["hip.touchdown_angle"])
@@ -242,7 +244,7 @@ def test_a_search_that_ends_for_want_of_gaits_has_not_converged(monkeypatch):
 
 
 def test_other_starts_find_what_the_first_does_not():
-    """The runner's own gait leads to another minimum than that which the data are made of."""
+    """The runner's own gait leads to another minimum than the true parameters."""
     true = find_gait(
         {"ground.friction": 2.5479, "hip.stance_torque": 0.11006, "hip.touchdown_angle": 0.71879}
     )

@@ -1,4 +1,4 @@
-"""The fit to a human runner at eight speeds, beside what is stored."""
+"""The fit to a human runner at eight speeds, against the stored results."""
 
 import csv
 from pathlib import Path
@@ -14,7 +14,7 @@ DOCUMENTATION = Path(__file__).parents[2] / "documentation"
 PAGE = (DOCUMENTATION / "results.md").read_text(encoding="utf-8")
 STORED = results_page.read(DOCUMENTATION / "data/results", results_page.PAPERS)
 OF_MASS = ("body.mass", "foot.mass", "leg.stiffness", "leg.damping", "hip.stance_torque", "hip.kp", "hip.kd")
-"""Values that are in proportion to the mass of the same motion."""
+"""Parameters that are in proportion to the mass if the motion stays the same."""
 
 
 @pytest.fixture(scope="module")
@@ -23,7 +23,7 @@ def claims():
 
 
 def test_the_stiffness_is_in_proportion_to_the_assumed_mass(tmp_path):
-    """Forces are published in body weights: 15 % less mass is 15 % less force, and as much less stiffness."""
+    """Forces are published in body weights: 15 % less mass gives 15 % less force and 15 % less stiffness."""
     lines = [line for line in shipped("human_running.csv").read_text().splitlines() if line[0] != "#"]
     rows = [{name: float(value) for name, value in row.items()} for row in csv.DictReader(lines)]
     light = [
@@ -47,7 +47,7 @@ def test_the_stiffness_is_in_proportion_to_the_assumed_mass(tmp_path):
 
 
 def test_an_interval_goes_on_across_the_fold_of_a_row():
-    """The gaits of row 7 turn back at a damping of 329 N s/m; fits beyond it cross the fold from elsewhere."""
+    """The gaits of row 7 turn back at a damping of 329 N s/m; other fits show gaits beyond the fold."""
     free = {"vary_each": ["hip.stance_torque", "hip.touchdown_angle"], "model": "reduced"}
     varied = ["leg.stiffness", "leg.damping"]
     found = tdmf_slip.fit("human_running", "human_running", varied, profile=["leg.damping"], **free)

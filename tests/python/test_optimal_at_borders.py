@@ -1,4 +1,4 @@
-"""The search over pieces, on functions whose kinks are known, and on the runner."""
+"""The search over smooth regions, on functions with known kinks, and on the runner."""
 
 from types import SimpleNamespace
 
@@ -13,16 +13,16 @@ from tdmf_slip.optimization.optimizer import Search
 from tdmf_slip.optimization.problem import Goal, Problem
 
 QUANTITY, SUM = "speed", "length"
-"""The names under which the functions below are asked for."""
+"""Names of the functions below."""
 
 
 def bend(at):
-    """Zero on a curved border, with its gradient."""
+    """Function that is zero on a curved border, with its gradient."""
     return at[1] - 0.4 - 0.3 * (at[0] - 0.5) ** 2, np.array([-0.6 * (at[0] - 0.5), 1.0])
 
 
 class Functions:
-    """Stands for gaits: a smooth function and a kink on a border, and words on either side."""
+    """Substitute for gaits: a smooth function and a kink on a border, and words on either side."""
 
     def __init__(self, smooth, kink, radii=(0.5, 0.5), lost=lambda at: False):
         self.smooth, self.kink, self.radii, self.lost = smooth, kink, radii, lost
@@ -58,12 +58,12 @@ def found(functions, goal, begin):
 
 
 GOAL = Goal(QUANTITY, upper_limits={SUM: (1.0, 9.0)})
-"""Of both functions, the sum without any effect."""
+"""Goal for the quantity, with a limit on the sum that has no effect."""
 
 
 @pytest.mark.parametrize("begin", [(0.1, 0.1), (0.9, 0.9), (0.2, 0.8), (0.673, 0.409)])
 def test_an_optimum_on_a_curved_border_is_found_and_told_by_both_sides(begin):
-    """On the border the function is (x - 0.7)^2 + (0.4 + 0.3 (x - 0.5)^2)/2, the least where x = 1.55/2.3."""
+    """The function on the border is (x - 0.7)^2 + (0.4 + 0.3 (x - 0.5)^2)/2, with its least at 1.55/2.3."""
     optimum = found(Functions(valley, 2.0), GOAL, begin)
     smallest = 1.55 / 2.3
     assert optimum.gait.at == pytest.approx([smallest, 0.4 + 0.3 * (smallest - 0.5) ** 2], abs=1e-4)
@@ -74,7 +74,7 @@ def test_an_optimum_on_a_curved_border_is_found_and_told_by_both_sides(begin):
 
 
 def test_a_border_on_which_the_function_falls_to_one_side_is_passed():
-    """With a kink that is less steep than the function itself, its least is at the lower bound."""
+    """A kink that is less steep than the function itself leaves the minimum at the lower bound."""
     optimum = found(Functions(valley, 0.2), GOAL, (0.9, 0.9))
     assert optimum.gait.at[1] < 1e-12 and optimum.border is None and optimum.why == ""
     x = optimum.gait.at[0]
@@ -94,7 +94,7 @@ def test_a_ridge_is_no_optimum(begin, side):
 
 @pytest.mark.parametrize("begin", [(0.1, 0.1), (0.9, 0.9)])
 def test_an_equation_is_met_on_a_border_too(begin):
-    """Where the border meets the line x + y = 1."""
+    """The optimum is the point at which the border meets the line x + y = 1."""
     optimum = found(Functions(valley, 2.0), Goal(QUANTITY, at={SUM: 1.0}), begin)
     x = optimum.gait.at[0]
     assert optimum.gait.at.sum() == pytest.approx(1.0, abs=1e-8)
@@ -121,7 +121,7 @@ def test_where_gaits_end_the_search_backs_off_and_says_so():
 
 @pytest.mark.parametrize(("friction", "words"), [(0.26585, ("+-", "+0-")), (1.14414, ("+0-0+", "+0+"))])
 def test_gradients_are_the_same_on_both_sides_of_borders_between_words(friction, words):
-    """A slip begins and ends with velocity zero, and a mode begins with no duration: there is no kink."""
+    """A slip begins and ends with velocity zero, and a new mode has no duration, so there is no kink."""
     space = Space({"ground.friction": (0.1, 2.0), "hip.touchdown_angle": (0.6, 0.8)})
     ends = [find_gait({"ground.friction": value}) for value in (0.99 * friction, 1.01 * friction)]
     gaits = Gaits(ends[0].runner, space, QUANTITIES)
@@ -140,7 +140,7 @@ def test_gradients_are_the_same_on_both_sides_of_borders_between_words(friction,
 
 
 def test_the_cheapest_runner_on_slippery_ground_is_at_a_border():
-    """Gaits of the same speed all around it, by Newton's method on the torque, cost more."""
+    """All gaits of the same speed nearby, by Newton's method on the torque, cost more."""
     angle, torque, thrust = "hip.touchdown_angle", "hip.stance_torque", "leg.thrust"
     near = {"ground.friction": 0.2924, angle: 0.62, torque: 0.12, thrust: 0.06}
     over = {angle: (0.5, 0.7), torque: (0.08, 0.16), thrust: (0.0, 0.15)}

@@ -1,4 +1,4 @@
-"""Optimal runners: gradients against differences, optima against fine grids, and what cannot be asked."""
+"""Optimal runners: gradients against differences, optima against fine grids, and refusals."""
 
 import json
 
@@ -65,7 +65,7 @@ def test_sizes_of_complex_pairs_have_derivatives():
 
 @pytest.mark.parametrize("sign", [1.0, -1.0])
 def test_an_optimum_over_one_parameter_is_that_of_a_fine_grid(sign):
-    """Of the cost of transport over the angle, which has its least inside; and of the speed, on a kink."""
+    """The cost of transport over the angle has its minimum inside; the speed has its maximum on a kink."""
     quantity, asked = ("cost_of_transport", "minimize") if sign > 0 else ("speed", "maximize")
     over, setting = ("ground.friction", {}) if sign < 0 else (ANGLE, SLIPPING)
     low, high = (0.45, 0.55) if sign < 0 else (0.7, 0.82)
@@ -80,7 +80,7 @@ def test_an_optimum_over_one_parameter_is_that_of_a_fine_grid(sign):
 
 
 def test_an_optimum_over_two_parameters_is_that_of_a_fine_grid():
-    """Cheapest at a speed: over the torque, by the speed the angle is set; so one is free along a curve."""
+    """Cheapest gait at a speed: the speed determines the angle from the torque, so one parameter is free."""
     over = {ANGLE: (0.6, 0.95), TORQUE: (0.1, 0.5)}
     best = optimize(SLIPPING, over, minimize="cost_of_transport", target={"speed": 0.9}, starts=1)
     assert best.gait.stride["speed"] == pytest.approx(0.9, rel=1e-8)
@@ -203,7 +203,7 @@ def test_bounds_that_are_none_are_refused(bounds):
 
 
 def test_other_starts_find_what_lies_beyond_the_runners_own_basin():
-    """From the runner's own gait the least slip is 0.2363; begun at .434, .4967, .2408 it is 0.2108."""
+    """Searches end at a slip of 0.2363 from the runner's own gait, at 0.2108 from (.434, .4967, .2408)."""
     over = {ANGLE: (0.4, 0.9), TORQUE: (0.05, 0.5), "leg.damping": (0.1, 0.3)}
     asked = {"minimize": "slip_distance", "target": {"speed": 0.9}, "stable": True}
     own = {**CLAMPED, "ground.friction": 0.3}
@@ -228,7 +228,7 @@ def test_a_slip_of_none_is_the_least_of_all():
 
 @release
 def test_a_search_goes_through_pieces_too_narrow_for_differences():
-    """On an edge of an event eigenvalues have no derivatives; far from their limit none are asked for."""
+    """Eigenvalues have no derivatives on the edge of an event; far from their limit none are needed."""
     over = {ANGLE: (0.4, 0.95), "leg.thrust": (0.0, 0.2), "hip.kp": (0.06, 0.2)}
     runner = {"ground.friction": 0.5049635075061091}
     asked = {"minimize": "frequency", "target": {"speed": 0.9559354532704964}, "stable": True}
@@ -237,7 +237,7 @@ def test_a_search_goes_through_pieces_too_narrow_for_differences():
 
 
 def test_the_best_point_along_the_edge_of_a_fold_is_found():
-    """Of two parameters one is left along the edge; by a grid over it there is no better place."""
+    """One of two parameters is free along the edge; a grid over it has no better point."""
     slow, over = {**STICKING, TORQUE: 0.11}, {TORQUE: (0.1, 0.12), "leg.damping": (0.19, 0.21)}
     best = optimize(slow, over, minimize="cost_of_transport", starts=1)
     assert best.limits == ("fold",) and best.why == "" and max(best.remaining_improvement.values()) <= 1e-4
@@ -249,7 +249,7 @@ def test_the_best_point_along_the_edge_of_a_fold_is_found():
 
 @release
 def test_eigenvalues_change_on_the_edge_of_a_word_and_of_the_bounds():
-    """Along the thrust both ways lead off, to another word and below zero; beside it one does not."""
+    """Both ways along the thrust leave the region, to another word and below zero; a slanted one does not."""
     asked = {"maximize": "frequency", "stable": True, "starts": 1}
     over = {TORQUE: (0.08, 0.45), "leg.thrust": (0.0, 0.2)}
     best = optimize({"ground.friction": 2.463, **CLAMPED}, over, **asked)
@@ -260,7 +260,7 @@ def test_eigenvalues_change_on_the_edge_of_a_word_and_of_the_bounds():
 
 @release
 def test_constraints_that_are_nearly_met_are_met():
-    """The search for them ends early, at a speed off by 7e-4: the square of what is off is flat there."""
+    """The search for a feasible gait ends early, at a speed off by 7e-4, because its objective is flat."""
     over = {ANGLE: (0.4, 0.95), "leg.stiffness": (0.7, 1.5), "hip.liftoff_angle_factor": (0.8, 1.6)}
     asked = {"minimize": "duty_factor", "target": {"speed": 1.0325132490240172}, "stable": True, "starts": 1}
     best = optimize({"ground.friction": 0.38539484074315605}, over, **asked)

@@ -1,4 +1,4 @@
-"""The examples that set the unit by a feedback, in event mode at each apex: strides as of the library."""
+"""Examples that set the unit by a feedback at each apex make the strides of the library."""
 
 import importlib
 import pathlib
@@ -27,7 +27,7 @@ def gait():
 
 
 def strides_of_library(law, first, count):
-    """The apices of the library's run, the first one too."""
+    """Apices of the library's run, with the first one."""
     run = tdmf_slip.stride_map({}, first, strides=count, law=law, tolerance=1e-13)
     return np.vstack([first, run["next_apex"].values[0]])
 
@@ -47,7 +47,7 @@ def test_the_unit_driven_by_fmpy_makes_the_strides_of_the_library(example, gait)
 
 
 def test_a_fall_ends_the_run_of_the_unit(example, gait):
-    """Pushed far with nothing but the settings' ranges as limits, as the library says, too."""
+    """A large push, with the ranges of the settings as the only limits, ends as in the library."""
     law = tdmf_slip.dead_beat(gait, example.SETTINGS)
     apices, settings = example.run(law, gait.start_values | {"foot.vx": gait.start_values["foot.vx"] + 2.0})
     assert len(apices) == 1 and len(settings) == 1
@@ -56,7 +56,7 @@ def test_a_fall_ends_the_run_of_the_unit(example, gait):
 
 @pytest.fixture(scope="module")
 def program(fmu_file, tmp_path_factory):
-    """The program in C, built."""
+    """Path of the built C program."""
     if shutil.which("cmake") is None:
         pytest.skip("CMake is not installed")
     folder = tmp_path_factory.mktemp("program")
@@ -69,7 +69,7 @@ def program(fmu_file, tmp_path_factory):
 
 
 def test_the_unit_driven_by_a_program_in_c_makes_the_strides_of_the_library(example, gait, program):
-    """The program holds the numbers of the law by itself; they are those that the Python example makes."""
+    """The numbers of the law in the C program are those that the Python example computes."""
     said = subprocess.run([program], capture_output=True, text=True, check=True)
     assert said.stderr == ""
     header, *lines = said.stdout.splitlines()
@@ -94,7 +94,7 @@ def test_the_program_in_c_names_what_is_not_there(program):
 
 
 def test_a_viable_controller_keeps_the_unit_up_where_its_own_settings_do_not(example):
-    """The viable set is of sections of the full model; the run is the unit's own."""
+    """The viable set is that of the full model; the unit makes the run."""
     assert example is not None
     viable = importlib.import_module("viable_controller")
     found = tdmf_slip.viability(viable.RUNNER, axes=viable.RANGES, vary=viable.CHOICE, n=32, model="full")

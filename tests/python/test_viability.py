@@ -1,4 +1,4 @@
-"""Viable sets of the slipping runner: against brute force, strides from random points, and finer grids."""
+"""Viable sets of the slipping runner, against brute force, strides from random points, and finer grids."""
 
 import json
 import math
@@ -28,7 +28,7 @@ def found():
 
 
 def pairs_of(found, least=2):
-    """Pairs of the inner set, or with 1 of the outer one, shape (rows, columns, actions)."""
+    """Pairs of the inner set, or for level 1 of the outer one, shape (rows, columns, actions)."""
     return found["viable_pair"].values.reshape(*found["viable"].shape, -1) >= least
 
 
@@ -45,7 +45,7 @@ def runner_of(found):
 
 
 def image_of(runner, apex, settings):
-    """The next apex by the library's reduced map, one stride at a time, NaN where there is none."""
+    """Next apices by the library's reduced map, one stride at a time, NaN if there is none."""
     try:
         return stride_from(runner.replace(settings), apex, ANGLE)[0]
     except tdmf_slip.RunError:
@@ -53,7 +53,7 @@ def image_of(runner, apex, settings):
 
 
 def brute_force(found, images, inner):
-    """The definitions once more, cell by cell: the pairs that count, by row, column and action."""
+    """Brute force by the definitions, cell by cell: pairs of the set by row, column and action."""
     edges, scales, boxes = list(grid_in(found).edges.values()), runner_of(found).scales, {}
     slack = ACCURACY * scales + 2.0**-22 * np.array([np.abs(of).max() for of in edges])
     for row, column, number in np.ndindex(*grid_in(found).cells, len(images)):
@@ -106,7 +106,7 @@ def test_brute_force_finds_the_same_pairs(friction, vary):
 
 
 def next_apices(runner, points, settings):
-    """Fates of single strides from points with settings of their own, 0 where one closed, and next apices."""
+    """Fates of single strides from points, each with its settings, 0 for a closed stride, and next apices."""
     inputs = {name: row[:, None] for name, row in settings.items()}
     run = tdmf_slip.Batch(runner, points, inputs=inputs).run(1)
     closed = run.strides == 1
@@ -114,7 +114,7 @@ def next_apices(runner, points, settings):
 
 
 def random_points(grid, cells, count, seed):
-    """Points all over some cells, shape (count, 2), and which cells they are in."""
+    """Random points in some cells, shape (count, 2), and the numbers of their cells."""
     draw = np.random.default_rng(seed)
     chosen = draw.integers(0, len(cells), count)
     corner = cells[chosen][:, :2] * grid.sizes + grid.origin

@@ -1,4 +1,4 @@
-"""The command `viability`, its picture, and the work on a cluster."""
+"""The command `viability`, its picture, and computation on a cluster."""
 
 import csv
 import json

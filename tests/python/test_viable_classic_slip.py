@@ -1,4 +1,4 @@
-"""Viable sets of the classic SLIP, cell by cell as the public program vibly has them (see vibly_slip.json).
+"""Viable sets of the classic SLIP, cell by cell equal to those of the public program vibly (vibly_slip.json).
 
 All its touchdown angles are admitted, those of 0 and below too.
 """
@@ -16,7 +16,7 @@ GRIDS = REFERENCE["grids"]
 
 
 def rows_of(lengths):
-    """Rows of 0 and 1 from lengths of runs, zeros first."""
+    """Rows of 0 and 1 from run lengths, zeros first."""
     return np.array([np.repeat(np.arange(len(row)) % 2, row) for row in lengths], dtype=bool)
 
 
@@ -25,7 +25,7 @@ def row_of(lengths):
 
 
 class Grid:
-    """States, actions, and where each pair leads by this project's map."""
+    """States, actions, and the image of each pair by this project's map."""
 
     def __init__(self, grid):
         self.states = np.linspace(grid["states"]["first"], grid["states"]["last"], grid["states"]["count"])
@@ -54,7 +54,7 @@ class Grid:
         return potential / (potential + 0.5 * p["mass_kg"] * step.next_speed**2)
 
     def kept(self, *, from_not_failed=False):
-        """Bins as boxes: both states that enclose the next one have to be viable."""
+        """Bins as boxes: both states that enclose the next one must be viable."""
         count = len(self.states)
         states, actions = np.nonzero(self.survives & ((self.bins > 0) | from_not_failed))
         bins = self.bins[states, actions]

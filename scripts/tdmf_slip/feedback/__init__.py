@@ -1,1 +1,1 @@
-"""Feedback from stride to stride: gains from a gait's exact return map, and what they are worth."""
+"""Feedback from stride to stride: gains from a gait's exact return map, and measures of their value."""

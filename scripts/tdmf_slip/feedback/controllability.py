@@ -1,20 +1,20 @@
 """Effect of settings on a gait's modes, in numbers.
 
-The return map of a gait and the settings that are chosen at each apex are taken to first order. With the
-deviations x of an apex from the gait's and u of the settings from theirs, the next apex deviates by
+The return map is linearized about a gait, by the apex and by the settings that are chosen at each apex. With
+the deviations x of an apex and u of the settings from those of the gait, the next apex deviates by
 
     x' = A x + B u,
 
 both matrices exact, by the variational equations of the C library. The horizontal position and the time are
 no coordinates of the section: the map does not depend on them.
 
-Only modes that last need a feedback. A touchdown and a sticking foot lose coordinates for ever: of the six
-eigenvalues of a return map some are 0 but for rounding, three where the stance sticks at some time, two where
-it does not. These modes and the effect of a setting on them are forgotten. With the left invariant subspace W
-of the other eigenvalues, z = W' x obeys a map of its own, z' = F z + G u.
+Only modes that last need a feedback. A touchdown and a sticking foot remove coordinates: some of the six
+eigenvalues of a return map are 0 up to rounding, three if the foot sticks at some time, two if it does not.
+The next stride forgets these modes and the effect of a setting on them. With the left invariant subspace W of
+the other eigenvalues, z = W' x obeys a map of its own, z' = F z + G u.
 
-By R. E. Kalman's test these modes are controllable where [G, F G, F^2 G, ...] has their rank. Its singular
-values show how near they are to losing it.
+Kalman's test: these modes are controllable if the rank of [G, F G, F^2 G, ...] is their number. The singular
+values of this matrix show how near the modes are to being uncontrollable.
 """
 
 from collections.abc import Sequence
@@ -36,27 +36,27 @@ from ..variables.table import Model, full_names
 CHOSEN = tuple(name for name in SETTINGS if not name.startswith("ground."))
 """Settings that a controller may choose anew at each apex: all but the ground's."""
 THRUSTS = ("leg.thrust", "control.thrust")
-"""Settings whose sum is held at 0 and above."""
+"""Settings whose sum is clamped at 0."""
 CLOSED = 1e-9
-"""Largest difference of an apex and the next over the scales, of what counts as a gait."""
+"""Largest difference of an apex and the next one, over the scales, at a gait."""
 IDLE = 1e-12
-"""A setting has no effect if it changes no scaled coordinate of the apex by more than this."""
+"""Largest change of the next apex, over the scales, by a setting without effect."""
 
 
 @dataclass(frozen=True, eq=False)
 class Linearization:
-    """The return map of a gait and its settings, to first order; both matrices are over the scales."""
+    """Linearized return map by the apex and by settings; both matrices are over the scales."""
 
     gait: Gait
     """The gait."""
     inputs: tuple[str, ...]
-    """Settings of `CHOSEN` that are chosen at each apex."""
+    """Names of the settings that are chosen at each apex, of `CHOSEN`."""
     nominal: NDArray[np.float64]
-    """The settings of the gait, shape (k,), in their units."""
+    """Values of the settings at the gait, shape (k,), in their units."""
     state_matrix: NDArray[np.float64]
-    """A, shape (n, n): the change of the next apex by this one."""
+    """A, shape (n, n): derivative of the next apex by this one."""
     input_matrix: NDArray[np.float64]
-    """B, shape (n, k): its change by the settings."""
+    """B, shape (n, k): derivative of the next apex by the settings."""
     setting_scales: NDArray[np.float64]
     """Scales of the settings, shape (k,): 1 rad, sqrt(k/m), l0, k l0, k l0^2, and for gains of the hip k l0^2
     and l0^2 sqrt(k m), each per rad."""
@@ -67,13 +67,13 @@ class Linearization:
         return self.gait.runner.scales
 
     def over_scales(self, gain: ArrayLike) -> NDArray[np.float64]:
-        """A gain in the units of the section and the settings, over the scales of both."""
+        """Gain over the scales of settings and section, from a gain in their units."""
         scaled: NDArray[np.float64] = np.asarray(gain) * self.scales / self.setting_scales[:, None]
         return scaled
 
 
 def linearize(gait: Gait, inputs: Sequence[str]) -> Linearization:
-    """The return map of a gait to first order, by the apex and by settings."""
+    """Linearize the return map about a gait, by the apex and by settings."""
     check_is_gait(gait, "gait")
     if gait.following:
         raise InputError(f"gait of {gait.strides} strides is not allowed; allowed: a gait of one stride")
@@ -118,7 +118,7 @@ def _checked_names(given: object, model: Model) -> tuple[str, ...]:
 
 
 def _check_inside(runner: Runner, name: str) -> None:
-    """Refuse a setting that has a derivative to one side only."""
+    """Refuse a setting with a one-sided derivative."""
     value, variable = runner[name], runner.model.variables[name]
     if name in THRUSTS:
         total = sum(runner.get(thrust, 0.0) for thrust in THRUSTS)
@@ -136,12 +136,12 @@ def _check_inside(runner: Runner, name: str) -> None:
 
 
 NEGLIGIBLE = 1e-5
-"""A mode that a stride leaves less of is left alone."""
+"""Eigenvalue below which a mode is left alone."""
 
 
 @dataclass(frozen=True, eq=False)
 class Modes:
-    """The modes that last, as a map of their own; everything over the scales."""
+    """Map of the modes that last, over the scales."""
 
     directions: NDArray[np.float64]
     """W, shape (n, modes), with orthonormal columns."""
@@ -159,8 +159,8 @@ class Modes:
 def lasting_modes(model: Linearization, negligible: float = NEGLIGIBLE) -> Modes:
     """The modes that are to be moved, over a basis that does not depend on rounding.
 
-    LAPACK's Schur vectors are unique but for signs or rotations, which rounding may change. With pivots,
-    a QR decomposition of the basis has the same triangular factor, up to signs, for each of them.
+    Schur vectors are unique up to signs or rotations, which rounding may change. A QR decomposition with
+    pivots of their transpose takes these away: its triangular factor is unique up to signs.
     """
     from scipy.linalg import qr, schur  # slow to load
 
@@ -175,8 +175,8 @@ def lasting_modes(model: Linearization, negligible: float = NEGLIGIBLE) -> Modes
     if not count:
         raise InputError(f"negligible = {threshold:g}: no mode of this gait lasts longer; allowed: less")
     rotation, triangular, _ = qr(vectors[:, :count].T, mode="economic", pivoting=True)
-    directions = vectors[:, :count] @ (rotation * np.sign(np.diag(triangular)))
-    return Modes(directions, directions.T @ model.state_matrix @ directions, directions.T @ model.input_matrix)
+    basis = vectors[:, :count] @ (rotation * np.sign(np.diag(triangular)))
+    return Modes(basis, basis.T @ model.state_matrix @ basis, basis.T @ model.input_matrix)
 
 
 RANK_TOLERANCE = 1e-9
@@ -185,27 +185,26 @@ RANK_TOLERANCE = 1e-9
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Controllability:
-    """Which modes of a gait its settings can move, and how far; everything over the scales."""
+    """Effect of settings on the modes of a gait; all numbers are over the scales."""
 
     runner: Runner
     """The gait's runner."""
     inputs: tuple[str, ...]
     """Settings that are chosen at each apex."""
     eigenvalues: NDArray[Any]
-    """Eigenvalues of the modes that last, shape (modes,), the largest first; complex where any is."""
+    """Eigenvalues of the modes that last, shape (modes,), the largest first; complex if any of them is."""
     negligible: int
-    """Modes that a stride forgets by itself: of a foot that lands and sticks."""
+    """Number of modes that a stride removes by itself, because a foot lands and sticks."""
     rank: int
     """Rank of the controllability matrix."""
     singular_values: NDArray[np.float64]
     """Singular values of the controllability matrix, shape (modes,), the largest first."""
     modal_controllability: NDArray[np.float64]
-    """How far each setting moves each mode in a stride, shape (modes, k): by the mode's left eigenvector of
-    length 1."""
+    """Effect of each setting on each mode in a stride, shape (modes, k), by left eigenvectors of length 1."""
     uncontrollable: NDArray[Any]
     """Eigenvalues of the modes that no setting moves, shape (modes - rank,)."""
     strides: int | None
-    """Fewest strides in which a dead-beat law moves all modes to the gait; None if some cannot be moved."""
+    """Fewest strides in which a dead-beat law brings all modes to 0; None if some cannot be moved."""
 
     def __repr__(self) -> str:
         """One line: how many of the modes can be moved, by what, and how well."""
@@ -216,21 +215,21 @@ class Controllability:
 
     @property
     def controllable(self) -> bool:
-        """Whether every mode that lasts can be moved."""
+        """True if every mode that lasts can be moved."""
         return not len(self.uncontrollable)
 
     @property
     def stabilizable(self) -> bool:
-        """Whether every mode that grows can be moved."""
+        """True if every mode that does not decay can be moved."""
         return bool(np.all(np.abs(self.uncontrollable) < 1.0))
 
     @property
     def conditioning(self) -> float:
-        """The smallest singular value over the largest: 0 where a mode cannot be moved."""
+        """Smallest singular value over the largest: 0 if a mode cannot be moved."""
         return float(self.singular_values[-1] / self.singular_values[0])
 
     def as_json(self) -> dict[str, object]:
-        """The numbers as a plain object, eigenvalues as [re, im]."""
+        """Numbers as a plain object, eigenvalues as [re, im]."""
         spectrum = ("inputs", "eigenvalues", "negligible", "rank", "singular_values")
         return self.runner.record() | entries(
             self, *spectrum, "modal_controllability", "uncontrollable", "strides"
@@ -238,7 +237,7 @@ class Controllability:
 
 
 def controllability(gait: Gait, inputs: Sequence[str], *, negligible: float = NEGLIGIBLE) -> Controllability:
-    """Effect on a gait's modes of settings that are chosen at each apex.
+    """Compute the effect on a gait's modes of settings that are chosen at each apex.
 
     Parameters
     ----------
@@ -252,7 +251,7 @@ def controllability(gait: Gait, inputs: Sequence[str], *, negligible: float = NE
     Returns
     -------
     Controllability
-        Rank, singular values, and what each setting does to each mode.
+        Rank, singular values, and the effect of each setting on each mode.
 
     Raises
     ------
@@ -274,7 +273,7 @@ def controllability(gait: Gait, inputs: Sequence[str], *, negligible: float = NE
 
 
 def controllability_of(runner: Runner, modes: Modes, inputs: tuple[str, ...]) -> Controllability:
-    """Controllability of modes that are known."""
+    """Controllability of modes."""
     eigenvalues, left = _left_eigenvectors(modes.state_matrix)
     vectors, values, _ = np.linalg.svd(controllability_matrix(modes))
     rank = int(np.count_nonzero(values > RANK_TOLERANCE * values[0]))
@@ -302,7 +301,7 @@ def controllability_matrix(modes: Modes, strides: int | None = None) -> NDArray[
 
 
 def _strides(modes: Modes) -> int:
-    """The first in which the matrix has full rank."""
+    """Least number of strides for which the controllability matrix has full rank."""
     for strides in range(1, modes.count):
         values = np.linalg.svd(controllability_matrix(modes, strides))[1]
         if np.count_nonzero(values > RANK_TOLERANCE * values[0]) == modes.count:

@@ -1,9 +1,9 @@
-"""Gains from a gait's exact return map: dead-beat, linear quadratic, and poles placed.
+"""Gains from a gait's exact return map: dead-beat, linear quadratic, and by pole placement.
 
-Each is an affine law from the apex to the settings of the stride that follows, with limits on each setting.
+Each feedback is an affine law from the apex to the settings of the next stride, with limits on each setting.
 
-The dead-beat gain takes modes to 0 in the fewest steps. The modes from which 0 is reached in j steps make a
-subspace: S_0 = {0}, and z is in S_j where F z + G u is in S_(j-1) for some u. The gain takes each S_j into
+The dead-beat gain takes modes to 0 in the fewest steps. Modes from which 0 is reached in j steps form a
+subspace S_j: S_0 = {0}, and z is in S_j if F z + G u is in S_(j-1) for some u. The gain maps each S_j into
 S_(j-1), with the least settings that do.
 """
 
@@ -40,7 +40,7 @@ TOLERANCE = 1e-9
 def dead_beat_gain(
     state_matrix: NDArray[np.float64], input_matrix: NDArray[np.float64]
 ) -> NDArray[np.float64]:
-    """The gain K with which F + G K is nilpotent, of the lowest index."""
+    """Gain K for which F + G K is nilpotent, of the lowest index."""
     count = len(state_matrix)
     min_moved, min_kept = (TOLERANCE * np.linalg.norm(of, 2) for of in (input_matrix, state_matrix))
     reached, gain = np.zeros((count, 0)), np.zeros((input_matrix.shape[1], count))
@@ -61,24 +61,24 @@ def dead_beat_gain(
 
 
 Limits: TypeAlias = Mapping[str, tuple[float, float]]
-"""The least and the largest value of settings, by name, in their units."""
+"""Least and largest value of settings, by name, in their units."""
 
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
 class Feedback(AffineLaw):
-    """An affine law that holds a gait, as `law=` takes it; `dataclasses.replace` gives it noise or limits."""
+    """Affine law that holds a gait, for `law=`; `dataclasses.replace` adds noise or limits."""
 
     linearization: Linearization
-    """The gait and its settings, to first order."""
+    """Linearized return map of the gait."""
     eigenvalues: NDArray[Any]
-    """Eigenvalues of the closed loop within its limits, shape (n,), largest first; complex where any is."""
+    """Eigenvalues of the closed loop within its limits, shape (n,), largest first; complex if any is."""
     S: NDArray[np.float64] | None = None
-    """Solution of the Riccati equation over the scales, shape (n, n); None of laws other than `lqr`."""
+    """Solution of the Riccati equation over the scales, shape (n, n); None for other laws than `lqr`."""
     strides: int | None = None
-    """Number of strides in which a dead-beat law moves every mode that it acts on; None for other laws."""
+    """Number of strides in which a dead-beat law brings its modes to 0; None for other laws."""
 
     def __repr__(self) -> str:
-        """One line: the settings, the gait, and the closed loop's largest eigenvalue."""
+        """Settings, gait, and largest eigenvalue of the closed loop, in one line."""
         gait = self.linearization.gait
         where = f", {FRICTION} = {gait.friction:.6g}" if FRICTION in gait.runner else ""
         at = f"the gait {gait.word}{where}"
@@ -93,13 +93,13 @@ class Feedback(AffineLaw):
         return float(abs(self.eigenvalues[0]))
 
     def as_json(self) -> dict[str, object]:
-        """The law as a plain object, by names as of an `AffineLaw`, with its eigenvalues as [re, im]."""
+        """Law as a plain object, by the names of an `AffineLaw`, with its eigenvalues as [re, im]."""
         names = [item.name for item in fields(AffineLaw) if item.name != "model"]
         return self.linearization.gait.runner.record() | entries(self, *names, "eigenvalues")
 
     @property
     def K(self) -> NDArray[np.float64]:  # noqa: N802
-        """Gain as control texts have it, shape (inputs, n): settings are nominal - K (apex - gait's apex)."""
+        """Gain K of control textbooks, shape (inputs, n): settings are nominal - K (apex - gait's apex)."""
         return -np.asarray(self.gain)
 
     @property
@@ -109,7 +109,7 @@ class Feedback(AffineLaw):
 
     @property
     def closed_loop(self) -> NDArray[np.float64]:
-        """A + B G over the scales, shape (n, n): the next apex's deviation by this one's."""
+        """A + B G over the scales, shape (n, n): derivative of the next apex by this one."""
         model = self.linearization
         closed: NDArray[np.float64] = model.state_matrix + model.input_matrix @ model.over_scales(self.gain)
         return closed
@@ -118,7 +118,7 @@ class Feedback(AffineLaw):
 def _feedback(
     model: Linearization, gain: NDArray[np.float64], limits: Limits | None, **about: Any
 ) -> Feedback:
-    """The feedback that a gain over the scales makes."""
+    """Feedback with a gain over the scales."""
     low, high = _checked_limits(model, limits)
     eigenvalues = np.linalg.eigvals(model.state_matrix + model.input_matrix @ gain)
     return Feedback(
@@ -155,7 +155,7 @@ def _checked_limits(
 
 
 MAX_EIGENVALUES = 1000
-"""No section has as many modes."""
+"""Largest number of eigenvalues that is read; no section has as many modes."""
 
 
 def dead_beat(
@@ -165,7 +165,7 @@ def dead_beat(
     limits: Limits | None = None,
     negligible: float = NEGLIGIBLE,
 ) -> Feedback:
-    """The feedback that brings a runner back to its gait in the fewest strides, to first order.
+    """Feedback that brings a runner back to its gait in the fewest strides, to first order.
 
     One stride suffices with as many settings as lasting modes. With fewer it takes more strides, which
     `controllability` reports. Of several such feedbacks, this is the one with the least settings, over their
@@ -176,22 +176,22 @@ def dead_beat(
     gait : Gait
         The gait.
     inputs : sequence of str
-        Which settings are chosen at each apex, of `controllability.CHOSEN`.
+        Settings that are chosen at each apex, of `controllability.CHOSEN`.
     limits : mapping of str to (float, float), optional
-        By setting: the least and the largest value, in its unit; by default its range.
+        Least and largest value by setting, in its unit; by default its range.
     negligible : float, default 1e-5
-        Modes whose eigenvalue is smaller are left alone: 0.05 leaves a mode that a stride shrinks to a
-        twentieth, and spares the settings what it would take to move it.
+        Modes with a smaller eigenvalue are left alone. For example, 0.05 leaves a mode alone that a stride
+        shrinks to a twentieth, and the settings then need not move it.
 
     Returns
     -------
     Feedback
-        An affine law, whose closed loop has eigenvalues 0, but for modes left alone.
+        An affine law. All eigenvalues of its closed loop are 0, except those of modes left alone.
 
     Raises
     ------
     InputError
-        As `linearize`; limits that the gait's settings are beyond; or a mode that lasts cannot be moved.
+        As `linearize`; the gait's settings are outside of the limits; or a mode that lasts cannot be moved.
     RunError
         The stride has no derivatives.
 
@@ -219,14 +219,17 @@ def place_poles(
     limits: Limits | None = None,
     negligible: float = NEGLIGIBLE,
 ) -> Feedback:
-    """The feedback whose closed loop has eigenvalues that are chosen, by `scipy.signal.place_poles`.
+    """Feedback whose closed loop has the chosen eigenvalues, by `scipy.signal.place_poles`.
+
+    Several settings can place the same eigenvalues with many gains. SciPy chooses a gain under which the
+    eigenvalues depend little on errors of the matrices.
 
     Parameters
     ----------
     gait, inputs : as in `dead_beat`
     eigenvalues : sequence of complex
-        One for each mode that lasts, complex ones in conjugate pairs; none more often than settings are
-        independent.
+        One for each mode that lasts, complex ones in conjugate pairs. None may be repeated more often than
+        there are independent settings.
     limits, negligible : as in `dead_beat`
 
     Returns
@@ -268,7 +271,7 @@ def lqr(
     *,
     limits: Limits | None = None,
 ) -> Feedback:
-    """The linear quadratic regulator: the feedback of least cost, by `scipy.linalg.solve_discrete_are`.
+    """Linear quadratic regulator: the feedback of least cost, by `scipy.linalg.solve_discrete_are`.
 
     With the deviations x of the apices and u of the settings, each over its scale, the cost is the sum over
     all strides of x' Q x + u' R u.
@@ -292,8 +295,8 @@ def lqr(
     Raises
     ------
     InputError
-        As `linearize`; limits that the gait's settings are beyond; weights that are none; or the gait is
-        unstable in a mode that cannot be moved.
+        As `linearize`; the gait's settings are outside of the limits; weights that are not allowed; or the
+        gait is unstable in a mode that cannot be moved.
     RunError
         The stride has no derivatives.
 
@@ -338,7 +341,7 @@ def riccati_gain(
 def _movable(
     gait: Gait, inputs: Sequence[str], negligible: float
 ) -> tuple[Linearization, Modes, Controllability]:
-    """A gait to first order, its modes that last, and their controllability: all of them can be moved."""
+    """Linearized gait, its modes that last, and their controllability; refuses modes that cannot be moved."""
     model = linearize(gait, inputs)
     modes = lasting_modes(model, negligible)
     reported = controllability_of(gait.runner, modes, model.inputs)

@@ -1,11 +1,11 @@
-"""Value of a feedback: region of attraction, largest disturbances, and how long a runner stays up.
+"""Value of a feedback: region of attraction, largest disturbances, and number of strides until a fall.
 
-The largest eigenvalue says nothing of these: settings have limits, sensors are noisy, and disturbances large.
+The largest eigenvalue does not show these: settings have limits, sensors are noisy, and disturbances large.
 
 Noisy sensors and rough ground lead a runner away from its gait, here to first order. At each apex the law
-measures x + v, with noise v of covariance N, and the ground then steps by s, of standard deviation r, so that
-the next apex's deviation is x' = A (x - e s) + B G (x + v), with e the height. In the long run its covariance
-P solves the discrete Lyapunov equation
+measures x + v, with noise v of covariance N. The ground then steps by s, of standard deviation r. The
+deviation of the next apex is x' = A (x - e s) + B G (x + v), with the unit vector e of the height. In the
+long run its covariance P solves the discrete Lyapunov equation
 
     P = (A + B G) P (A + B G)' + B G N G' B' + r^2 A e e' A'.
 """
@@ -35,28 +35,28 @@ HEIGHT = "com_height"
 
 
 def apex_covariance(feedback: Feedback, roughness: float = 0.0) -> NDArray[np.float64]:
-    """The covariance of a runner's apices about its gait's, in the long run and to first order.
+    """Covariance of a runner's apices about that of its gait, in the long run and to first order.
 
     Parameters
     ----------
     feedback : Feedback
-        With the noise of its sensors, `noise`; its limits are taken as out of reach.
+        Feedback with the noise of its sensors, `noise`. Its limits are ignored.
     roughness : float, default 0
         Standard deviation of the steps of the ground, m.
 
     Returns
     -------
     ndarray of float, shape (n, n)
-        In the units of the section; as measured at the apices, above the ground before it steps.
+        Covariance in the units of the section, of apices above the ground before it steps.
 
     Raises
     ------
     InputError
-        No feedback, one under which the gait is unstable, or a roughness out of range.
+        No feedback, a feedback under which the gait is unstable, a roughness out of range, or a roughness
+        for a section without `com_height`.
 
-    Examples
-    --------
-    A law whose sensors are off by a thousandth of the section's scales; the height of the apex then varies by
+    Examples -------- Sensors have an error of a thousandth of the section's scales. The standard deviation
+    of the height is then
 
     >>> from dataclasses import replace
     >>> import tdmf_slip
@@ -94,29 +94,29 @@ def apex_covariance(feedback: Feedback, roughness: float = 0.0) -> NDArray[np.fl
 
 
 SAMPLES = 4000
-"""Starts drawn for the region of attraction."""
+"""Number of random starts for the region of attraction."""
 RUNNERS, MAX_STRIDES = 256, 400
-"""Runners on rough ground, and strides after which one is censored."""
+"""Number of runners on rough ground, and of strides after which a run is censored."""
 
 
 @dataclass(frozen=True, eq=False)
 class Judgement:
-    """How well a gait is held, by many runs."""
+    """Robustness of a gait and its law, measured by many runs."""
 
     gait: Gait
     """The gait."""
     law: Law | None
     """Law that holds the gait; None for the runner as it is."""
     volume: Volume
-    """How much of the box of `analysis.attraction` settles on the gait; without noise."""
+    """Share of the box of `analysis.attraction` that settles on the gait, without noise."""
     robustness: Robustness
-    """The largest disturbances that the runner recovers from; without noise."""
+    """Largest disturbances from which the runner recovers, without noise."""
     first_passages: tuple[FirstPassage, ...]
-    """Strides until the fall on ground of each roughness, with the noise of the law's sensors."""
+    """Numbers of strides until a fall on ground of each roughness, with the noise of the law's sensors."""
 
 
 def judge(gait: Gait, law: Law | None = None, *, roughness: Sequence[float] = (), seed: int = 0) -> Judgement:
-    """How well a feedback holds a gait, within its limits."""
+    """Measure by many runs how well a law holds a gait, within its limits."""
     return judge_all([(gait, law)], roughness=roughness, seed=seed)[0]
 
 
@@ -128,7 +128,7 @@ def judge_all(
     executor: Executor | None = None,
     progress: bool = False,
 ) -> list[Judgement]:
-    """`judge` for many gaits, each with its feedback or None, side by side."""
+    """Run `judge` for many gaits in parallel, each with its law or None."""
     allowed = "pairs of a Gait and a law or None in a list"
     for trial in row_of(trials, "trials", allowed):
         if not isinstance(trial, tuple) or len(trial) != 2:

@@ -1,10 +1,9 @@
-"""From the end of a search to a fit: estimates with their intervals, and notes.
+"""Results of a search: estimates with their intervals, and notes.
 
-Intervals by the profile likelihood: a parameter is held, the others are fitted anew, and the loss rises.
-
-The interval ends where it has risen by the quantile of chi square with one degree of freedom (Venzon and
-Moolgavkar 1988, Applied Statistics 37, 87-94). Where the data identify the parameter well this is the
-linear interval; where they identify it poorly it is not symmetric, and may have no end.
+Intervals are by the profile likelihood. A parameter is held, the others are fitted again, and the loss
+rises. The interval ends where the loss has risen by the quantile of chi square with one degree of freedom
+(Venzon and Moolgavkar 1988, Applied Statistics 37, 87-94). If the data identify the parameter well, this is
+the linear interval. If they identify it poorly, the interval is not symmetric, and may have no end.
 """
 
 import contextlib
@@ -31,13 +30,13 @@ from .result import (
 from .search import Ended, across_folds, best_from, is_stationary, searched, weights_of
 
 AGAIN = 3
-"""Largest number of fits that are begun anew where a profile has led to a better one."""
+"""Largest number of fits that restart because a profile has led to a better one."""
 FAR_OFF = 1e4
-"""Chi square over the number of data: residuals of a hundred errors each are no fit that has converged."""
+"""Chi square over the number of data above which no fit counts as converged: residuals of 100 errors each."""
 
 
 def concluded(problem: Problem, found: Ended, starts: int = 1) -> Fit:
-    """The fit at the end of a search, begun anew where a profile has led to a better fit."""
+    """Fit at the end of a search, which restarts if a profile has led to a better fit."""
     for _ in range(AGAIN):
         try:
             return _fit(problem, found, starts, is_profiled=True)
@@ -147,7 +146,7 @@ def _notes(
 
 
 Intervals: TypeAlias = dict[int, tuple[float, float, str]]
-"""Both ends of parameters' intervals, in their units, and why they end there; by the parameters' numbers."""
+"""Both ends of the intervals in the parameters' units, and why they end there, by the parameters' numbers."""
 
 
 def _profile(
@@ -184,15 +183,16 @@ LONGEST, FARTHEST = 5.0, 40.0
 CHANGE = 1e-4
 """Change of the loss at which a search with a held parameter ends."""
 BETTER = 1e-3
-"""Fall of the loss below the least one that says that this was none."""
+"""Fall of the loss below that of the best fit, relative to it, at which a better fit is reported."""
 
 End: TypeAlias = tuple[float, str]
-"""One end of an interval: the unknown, infinite where there is no end; and why it ends before the loss has
-risen, `range` or `gaits`, else an empty text."""
+"""One end of an interval: the unknown, infinite if there is no end, and why it ends early.
+
+The reason is `range` or `gaits`, or an empty text if the loss has risen enough."""
 
 
 class BetterFitError(Exception):
-    """The loss with a parameter held is less than the least one."""
+    """The loss with a parameter held is less than that of the best fit."""
 
     def __init__(self, at: Vector) -> None:
         """Keep the unknowns at which the loss is less."""
@@ -201,7 +201,7 @@ class BetterFitError(Exception):
 
 
 class Profile:
-    """The profile of a fit."""
+    """Profile likelihood of a fit."""
 
     def __init__(self, problem: Problem, best: Ended, covariance: Vector, root: float) -> None:
         """Begin at the best fit, with its linear covariance and the root of the rise at an interval's end."""
@@ -210,7 +210,7 @@ class Profile:
         self._apexes = problem.apexes
 
     def interval(self, number: int) -> tuple[End, End]:
-        """Both ends of the interval of a parameter; `BetterFitError` where the fit was none."""
+        """Both ends of a parameter's interval; raises `BetterFitError` if the loss is less elsewhere."""
         low, high = (self._end(number, sign) for sign in (-1.0, 1.0))
         self.problem.restart(self.best.at, self._apexes)
         return low, high
@@ -271,7 +271,7 @@ class Profile:
         return float(np.sqrt(max(rise, 0.0)))
 
     def _constrained(self, number: int, value: float, seen: Vector) -> Ended | None:
-        """Fit of the others while one is held, begun where they are predicted; None where no gaits are found."""
+        """Fit with one parameter held, from predicted values of the others; None if no gaits are found."""
         for begin in self._begins(number, value, seen):
             with contextlib.suppress(RunError):
                 found = searched(self.problem, begin, number, CHANGE)

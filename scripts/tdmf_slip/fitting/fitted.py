@@ -29,7 +29,7 @@ from .search import starts as starts_of
 
 
 def profiled_names(profile: object, names: Sequence[str], model: Model) -> tuple[str, ...]:
-    """Names of the parameters whose intervals are by the profile likelihood."""
+    """Names of parameters whose intervals are by the profile likelihood."""
     if isinstance(profile, bool | np.bool_):
         return tuple(names) if profile else ()
     allowed = "True, False, or a list of names of varied parameters"
@@ -39,7 +39,7 @@ def profiled_names(profile: object, names: Sequence[str], model: Model) -> tuple
 
 
 def check_counts(shared: Sequence[str], each: Sequence[str], measurements: Measurements, priors: int) -> None:
-    """Refuse names that are shared and not, and more of them than data."""
+    """Refuse names that are both shared and not shared, and more parameters than data."""
     both = next((name for name in shared if name in each), None)
     if both is not None:
         raise InputError(f"vary and vary_each: {both} is in both; allowed: in one of them")
@@ -80,9 +80,9 @@ def fit(
 
     SciPy's `least_squares` minimizes the sum of the squared residuals over their errors, with the exact
     derivatives of the gaits. Intervals are of 95 % confidence, by the profile likelihood: a parameter is
-    held, all others are fitted anew, and the interval ends where the sum of squares has risen by 3.84. Errors
-    are known standard errors, unless `scale_errors` is set. A search that has made `problem.MAX_STRIDES`
-    strides ends where it is, and a note says so.
+    held, all others are fitted again, and the interval ends where the sum of squares has risen by 3.84.
+    Errors are known standard errors, unless `scale_errors` is set. A search that has made
+    `problem.MAX_STRIDES` strides ends where it is, and a note says so.
 
     Parameters
     ----------
@@ -106,7 +106,7 @@ def fit(
         Prior knowledge: value and standard error of parameters that all rows share, in the unit's units. One
         that is not in `vary` begins with this value and is fitted, too: its uncertainty is in all intervals.
     guess : sequence of float, optional
-        An apex near that of the gait that all rows begin with; see `find_gait`. By default the gait that
+        An apex near that of the gait with which all rows begin; see `find_gait`. By default the gait that
         the runner settles on, else that near its start values.
     model : as in `find_gait`
     robust : bool, default False
@@ -188,7 +188,7 @@ def fit(
 
 
 def _first(runner: Runner, guess: Apex | None) -> Gait:
-    """The gait that all rows begin with; where nothing settles on it, the one near the start values."""
+    """Gait with which all rows begin; if no run settles on one, the gait near the start values."""
     try:
         return periodic_gait(runner, guess=guess)
     except RunError as problem:

@@ -24,22 +24,22 @@ over the period."""
 MEASURABLE = (*USUAL, *MEASURES)
 """Quantities of the package's own models that may be measured."""
 SYNONYMS = {"velocity": "speed", "cadence": "frequency", "contact_time": "stance_time"}
-"""Other words for quantities, from which a message about a wrong title suggests the right one."""
+"""Other words for quantities, for which a message about a wrong title suggests the right one."""
 ERROR = "_error"
 """Suffix of a quantity's column of standard errors."""
 DATA = Path(__file__).parent / "data"
 """Tables that come with the package, and the runners that their fits begin with."""
 NOTHING = ("", "nan", "na", "<na>", "nat", "none", "null")
-"""Cells that say that nothing was measured, in lower case; upper case counts as well."""
+"""Texts of cells without a measurement, in lower case; upper case counts as well."""
 SMALLEST_ERROR = 1e-12
 """Smallest error over the value, or over `MINIMUM` if that is larger; gaits are no more accurate."""
 COMMENT = "#"
-"""Lines that begin with it are skipped: they say where the data come from."""
+"""First character of lines that are skipped: they name the source of the data."""
 
 
 @dataclass(frozen=True)
 class Measured:
-    """A quantity as it was measured."""
+    """Measured quantity."""
 
     value: float
     """Measured value in the quantity's unit."""
@@ -66,12 +66,12 @@ class Measurements:
 
     @property
     def count(self) -> int:
-        """How many numbers were measured."""
+        """Number of measured numbers."""
         return sum(len(row) for row in self.rows)
 
 
 Data: TypeAlias = "Measurements | Mapping[str, Sequence[float]] | str | Path | Any"
-"""Data of a fit; a DataFrame is known by what it can do."""
+"""Data of a fit; a DataFrame is recognized by its methods."""
 
 
 def shipped_names() -> list[str]:
@@ -80,7 +80,7 @@ def shipped_names() -> list[str]:
 
 
 def shipped(name: str) -> Path:
-    """The path of a file that comes with the package: a table, or the runner that its fit begins with."""
+    """Path of a file that comes with the package: a table, or the runner with which its fit begins."""
     if name not in shipped_names():
         raise InputError(f"data {name!r} do not come with the package; allowed: {', '.join(shipped_names())}")
     return DATA / name
@@ -97,13 +97,13 @@ def measurements_of(
     errors: Errors | None = None,
     model: Model = MODELS["full"],
 ) -> Measurements:
-    """Measurements as they are given, or those of a table, of columns by name, or of a CSV file.
+    """Measurements from a table, from columns by name, or from a CSV file; or those that are given.
 
     Titles of a file are `speed [m/s]`, `frequency [Hz]`, `stance_time [s]`, `duty_factor [1]`,
     `slip_distance [m]`, `peak_force [N]` or others, also with another unit of the quantity. The standard
-    errors of a quantity are in a second column, as `speed_error [m/s]`. `units` and `errors` give what the
-    titles do not, see `fit`. Each row is a condition. A quantity that was not measured in it has both of its
-    cells empty, or NaN. Cells are separated by commas, or by semicolons, and then the decimal sign may be a
+    errors of a quantity are in a second column, as `speed_error [m/s]`. `units` and `errors` supply what the
+    titles lack, see `fit`. Each row is a condition. If a quantity was not measured in it, both of its cells
+    are empty or NaN. Cells are separated by commas or semicolons. With semicolons, the decimal sign may be a
     comma. Lines that begin with `#` are skipped.
     """
     if isinstance(given, Measurements):
@@ -154,7 +154,7 @@ def measurements_of(
 
 
 def _table_cells(given: object, model: Model) -> list[list[str]]:
-    """Titles and rows of a table, as the texts that a file would have; durations are in seconds."""
+    """Titles and rows of a table, as texts like those of a file; durations are in seconds."""
     columns = mapping_of(given, "data", "columns by the names of quantities")
     cells = []
     for title, of in columns.items():
@@ -189,7 +189,7 @@ def _file_cells(path: Path, where: str) -> list[list[str]]:
 
 
 def _factor(title: str, where: str, units: Units, model: Model) -> tuple[str, float]:
-    """The name in a title, and how many of its unit make one of the quantity's."""
+    """Name in a title, and the factor from the quantity's unit to the unit of the title."""
     name, bracket, rest = title.partition("[")
     name = name.strip()
     quantity = name.removesuffix(ERROR)
@@ -215,7 +215,7 @@ def _factor(title: str, where: str, units: Units, model: Model) -> tuple[str, fl
 
 
 def _errors_of(name: str, given: object, values: Sequence[str]) -> list[str]:
-    """A column of errors from numbers in the unit of the values' column, or from a share of the values."""
+    """Column of errors from numbers in the unit of the values' column, or from a share of the values."""
     allowed = f"a number in the unit of the column, {len(values)} of them, or a text such as '2 %'"
     if isinstance(given, str):
         number, unit = split(given)
@@ -233,7 +233,7 @@ def _errors_of(name: str, given: object, values: Sequence[str]) -> list[str]:
 
 
 def _row(factors: Mapping[str, float], cells: Sequence[str], here: str, is_own: bool) -> Row:
-    """What was measured in a row; factors are those of the columns, by name."""
+    """Measurements in a row; `factors` are those of the columns, by name."""
     texts, measured = dict(zip(factors, cells, strict=True)), {}
     for name in (name for name in factors if not name.endswith(ERROR)):
         value, error = texts[name], texts[f"{name}{ERROR}"]

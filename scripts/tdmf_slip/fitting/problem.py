@@ -1,7 +1,8 @@
 """Problem of a fit: parameters at which the gaits of all conditions are those measured.
 
-Unknowns are parameters that all rows share, and parameters of which each row has its own; each is counted
-from its first value in tenths of its scale. A residual is a quantity less the measured one, over its error.
+Unknowns are parameters that all rows share, and parameters with a value for each row. Each unknown is the
+change from the first value, in tenths of the parameter's scale. A residual is a quantity less the measured
+one, over its standard error.
 """
 
 import math
@@ -29,22 +30,22 @@ from .measurements import Measured, Measurements
 
 @dataclass(frozen=True)
 class Parameter:
-    """A parameter that is looked for."""
+    """Parameter of a fit."""
 
     name: str
     """Name of the runner's parameter."""
     row: int | None
-    """Number of the row whose own it is; None where all rows share it."""
+    """Number of the row to which the parameter belongs; None if all rows share it."""
 
     @property
     def label(self) -> str:
-        """The name, with the number of its row, from 1, where each has its own."""
+        """Name, with the number of the row, from 1, if each row has its own value."""
         return self.name if self.row is None else f"{self.name}[{self.row + 1}]"
 
 
 @dataclass(frozen=True)
 class Prior(Measured):
-    """What is known beforehand of a parameter that all rows share: its value and standard error."""
+    """Prior knowledge of a parameter that all rows share: its value and standard error."""
 
     name: str
     """Name of the parameter."""
@@ -52,20 +53,20 @@ class Prior(Measured):
 
 @dataclass(frozen=True, eq=False)
 class Request:
-    """Data and parameters of a fit, and how to fit."""
+    """Data, parameters and options of a fit."""
 
     measurements: Measurements
     """The data."""
     shared: tuple[str, ...]
-    """Parameters to be found that all rows share."""
+    """Fitted parameters that all rows share."""
     each: tuple[str, ...]
-    """Parameters to be found that have a value for each row."""
+    """Fitted parameters with a value for each row."""
     priors: tuple[Prior, ...]
     """Priors of shared parameters."""
     robust: bool
-    """Huber's loss instead of squares."""
+    """True for Huber's loss instead of squares."""
     scale_errors: bool
-    """The errors are known but for a common factor."""
+    """True if the errors are known except for a common factor."""
     profiled: tuple[str, ...]
     """Names of parameters whose intervals are by the profile likelihood."""
     starts: int
@@ -73,7 +74,7 @@ class Request:
 
     @property
     def parameters(self) -> tuple[Parameter, ...]:
-        """All that is looked for, first what all rows share."""
+        """Fitted parameters; those that all rows share come first."""
         rows = range(len(self.measurements.rows))
         return (
             *(Parameter(name, None) for name in self.shared),
@@ -112,16 +113,17 @@ def checked_priors(given: object, each: Sequence[str], model: Model) -> tuple[Pr
 
 
 FIRST_STEP = 0.1
-"""Longest first step of the search, over a parameter's scale."""
+"""Unit of the unknowns, over a parameter's scale: the longest first step of the search."""
 FAR = 1e3
-"""Distance, over a parameter's scale, from which on an end of its range is no bound, because SciPy's search
-scales the parameters by how far their bounds are."""
+"""Distance, over a parameter's scale, beyond which an end of its range is not passed on as a bound.
+
+SciPy's search scales the parameters by the distances of their bounds."""
 MAX_STRIDES = 20_000
-"""Largest number of strides of all rows in a fit: nearly thirty times what the package's data take."""
+"""Largest number of strides of all rows in a fit: nearly thirty times the number for the package's data."""
 
 
 class _Base(NamedTuple):
-    """A gait of a row from which others are predicted."""
+    """Gait of a row from which other gaits are predicted."""
 
     values: Vector
     """Values of the row's parameters."""
@@ -132,7 +134,7 @@ class _Base(NamedTuple):
 class Problem:
     """Residuals of all rows and of the priors, with their exact Jacobian, for SciPy.
 
-    The gaits at which the Jacobian was last evaluated are those from which a search goes on.
+    A search goes on from the gaits at which the Jacobian was last evaluated.
     """
 
     def __init__(
@@ -171,15 +173,15 @@ class Problem:
 
     @property
     def is_spent(self) -> bool:
-        """Whether no further stride is to be made: the search then ends where it is."""
+        """True if all allowed strides are made: the search then ends at its last point."""
         return self.strides >= self._granted + MAX_STRIDES
 
     def grant(self) -> None:
-        """Allow as many strides once more, for what follows the search."""
+        """Allow `MAX_STRIDES` further strides."""
         self._granted = self.strides
 
     def count_strides(self, count: int) -> None:
-        """Note strides that were made for this fit."""
+        """Count strides that were made for this fit."""
         self.strides += count
         self._strides_made(count)
 
@@ -189,7 +191,7 @@ class Problem:
         return [base.apex for base in self._bases]
 
     def values(self, unknowns: Vector) -> Vector:
-        """The parameters, in the order of `parameters` and in their units."""
+        """Values of the parameters, in the order of `parameters` and in their units."""
         values: Vector = self.begin + self.steps * unknowns
         return values
 
@@ -199,9 +201,10 @@ class Problem:
         return self.runner.replace(dict(zip(self.vary, own, strict=True)))
 
     def residuals(self, unknowns: Vector) -> Vector:
-        """Residuals of all rows in turn; infinite where one has no gait, so that a shorter step is tried.
+        """Residuals of all rows in turn; infinite if a row has no gait, so that a shorter step is tried.
 
-        Where no further stride is to be made, those of before: no step is then better, and the search ends.
+        Once all allowed strides are made, the last residuals are returned. No step is then better, and the
+        search ends.
         """
         if self.is_spent and self._last is not None:
             return self._last.copy()
@@ -221,13 +224,13 @@ class Problem:
         return self.over_errors([stride for _, stride in gaits], values)
 
     def over_errors(self, strides: Sequence[MadeStride], values: Vector) -> Vector:
-        """Quantities of all rows' strides and parameters with priors, less what is known, over the errors."""
+        """Quantities of all strides and parameters with priors, less the given values, over the errors."""
         has = np.concatenate([*(stride.quantities for stride in strides), values[self._of_priors]])
         over: Vector = (has - self.measured) / self.errors
         return over
 
     def jacobian(self, unknowns: Vector) -> Vector:
-        """Jacobian of the residuals; the search goes on from there."""
+        """Jacobian of the residuals; the search goes on from these unknowns."""
         if self._tried is None or not np.array_equal(self._tried[0], unknowns):
             self._residuals(unknowns)
         assert self._tried is not None
@@ -250,7 +253,7 @@ class Problem:
         return over
 
     def restart(self, unknowns: Vector, apexes: Sequence[Vector]) -> None:
-        """Go on from other gaits."""
+        """Predict from other gaits from now on."""
         values = self.values(unknowns)
         self._bases = [
             _Base(values[self.columns[row]], apex, self._varied(values, row, apex))
@@ -268,7 +271,7 @@ class Problem:
             ) from None
 
     def _gait(self, values: Vector, row: int) -> tuple[Vector, MadeStride]:
-        """The gait of a row, from the one at which the Jacobian was asked for last."""
+        """Gait of a row, predicted from the gait at which the Jacobian was last evaluated."""
         runner, base = self.runner_of(values, row), self._bases[row]
         scales = runner.scales
         predicted = base.apex + base.varied.apex_by_parameters @ (values[self.columns[row]] - base.values)
@@ -279,7 +282,7 @@ class Problem:
 
 
 class _Counted(Closing):
-    """Equations of a gait that count their strides."""
+    """Equations of a gait, with a count of their strides."""
 
     def __init__(self, runner: Runner, count_strides: Callable[[int], object]) -> None:
         super().__init__(runner)

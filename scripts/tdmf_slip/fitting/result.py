@@ -1,11 +1,9 @@
 """A fit: parameters with confidence intervals, combinations that cannot be identified, and residuals.
 
-Combinations of parameters that data do not identify, by the singular values of the weighted Jacobian.
-
-Its rows are changes of the measured quantities over their errors, its columns are by the parameters over
-their scales. A direction of the parameters is not identified at all where its singular value is zero
-up to rounding, and poorly where a change as large as the parameters themselves stays within the errors of
-the data.
+Singular values of the weighted Jacobian show which combinations of parameters the data do not identify. Rows
+of this matrix are changes of the measured quantities over their errors. Columns are by the parameters over
+their scales. A direction of the parameters cannot be identified if its singular value is zero up to rounding.
+It is poorly identified if a change as large as the parameters themselves stays within the errors of the data.
 """
 
 import contextlib
@@ -30,9 +28,9 @@ from .problem import Problem, Request
 ROUNDING = 1e-9
 """Share of the largest singular value below which a singular value counts as zero."""
 SMALL = 1e-5
-"""Share of a combination's largest member below which a parameter has no part in it."""
+"""Share of a combination's largest member below which a parameter does not belong to it."""
 MINOR = 0.1
-"""Smallest share that is named in a poorly identified combination; all parameters have some."""
+"""Smallest share that is named in a poorly identified combination, because all parameters have some."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,9 +38,9 @@ class Combination:
     """Combined change of parameters that the data do not determine."""
 
     members: Mapping[str, float]
-    """Change of each over its scale, which is its value, or 1 in its unit where it is 0; the largest is 1."""
+    """Change of each parameter over its scale, which is its value, or 1 if that is 0; the largest is 1."""
     changes: Mapping[str, float]
-    """Change of each in its unit."""
+    """Change of each parameter in its unit."""
     standard_error: float
     """Standard error in multiples of the change; infinite where the change has no effect on the data."""
 
@@ -68,9 +66,9 @@ class Identified:
     covariance: NDArray[np.float64]
     """Covariance of the identified parts of the parameters over their scales, shape (p, p)."""
     reported: NDArray[np.bool_]
-    """True for parameters without a part in combinations that are not identified at all, shape (p,)."""
+    """True for parameters outside of all combinations without effect on the data, shape (p,)."""
     unidentified: tuple[Combination, ...]
-    """Combinations that are poorly identified; those that are not identified at all come first."""
+    """Combinations that are poorly identified; those without effect on the data come first."""
 
 
 def identified(
@@ -97,7 +95,7 @@ def identified(
 
 
 def _simplest(directions: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Directions that span the same, each with a parameter of its own: the rows in reduced echelon form."""
+    """Reduced row echelon form: directions with the same span, each with a parameter of its own."""
     rows, taken = directions.copy(), 0
     while taken < len(rows):
         pivot = np.unravel_index(int(np.argmax(np.abs(rows[taken:]))), rows[taken:].shape)
@@ -118,7 +116,7 @@ def _combination(
     standard_error: float,
     minimum: float,
 ) -> Combination:
-    """The combination of a direction, with the largest member first, whose change is 1."""
+    """Combination of a direction; the largest member comes first, and its change is 1."""
     shares = np.round(direction / direction[np.argmax(np.abs(direction))], 9)
     order = [int(k) for k in np.argsort(-np.abs(shares), kind="stable") if abs(shares[k]) >= minimum]
     return Combination(
@@ -130,9 +128,9 @@ def _combination(
 
 CONFIDENCE = 0.95
 QUANTILE = NormalDist().inv_cdf(0.5 + 0.5 * CONFIDENCE)
-"""Standard errors to each side of an interval, of the normal distribution: the data's errors are known."""
+"""Half the width of an interval over the standard error, by the normal distribution of known errors."""
 UNLIKELY = 0.01
-"""Probability of residuals as large as those found, below which data and model are said to differ."""
+"""Probability of the residuals below which a note says that data and model differ."""
 
 
 def probability_of(chi_square: float, degrees_of_freedom: int) -> float:
@@ -143,14 +141,14 @@ def probability_of(chi_square: float, degrees_of_freedom: int) -> float:
 
 
 def is_likely(chi_square: float, degrees_of_freedom: int) -> bool:
-    """Whether residuals as large come by chance; without degrees of freedom, whether they are small."""
+    """True if residuals as large come by chance; without degrees of freedom, if they are small."""
     probability = probability_of(chi_square, degrees_of_freedom)
     return chi_square < 1.0 if np.isnan(probability) else probability >= UNLIKELY
 
 
 @dataclass(frozen=True)
 class Estimate:
-    """A parameter that was fitted."""
+    """Fitted parameter."""
 
     label: str
     """Name of the parameter, with the number of its row, from 1, where each row has its own."""
@@ -161,11 +159,11 @@ class Estimate:
     standard_error: float
     """Standard error by the linearized fit; infinite if the data do not determine it."""
     low: float
-    """Lower end of the interval of confidence."""
+    """Lower end of the confidence interval."""
     high: float
-    """Upper end."""
+    """Upper end of the confidence interval."""
     is_profiled: bool
-    """The interval is by the profile likelihood, else linear."""
+    """True if the interval is by the profile likelihood; else it is linear."""
     ends_at: str
     """Reason why the interval ends before the likelihood does: `range`, `gaits`, or both; else empty."""
 
@@ -187,7 +185,7 @@ class Residual:
 
     @property
     def residual(self) -> float:
-        """The difference over the error."""
+        """Difference between fitted and measured value, over the error."""
         return (self.fitted - self.measured) / self.error
 
 
@@ -196,7 +194,7 @@ class Fit:
     """A runner fitted to measured gaits; `plot` draws the data, the fit and the residuals."""
 
     request: Request = field(repr=False)
-    """What was asked for."""
+    """Data, parameters and options of the fit."""
     runners: tuple[Runner, ...]
     """Runners with the fitted parameters, one for each row."""
     apexes: tuple[NDArray[np.float64], ...]
@@ -214,8 +212,7 @@ class Fit:
     priors: tuple[Residual, ...]
     """Priors beside the fitted values, by parameters' names; their rows are 0."""
     converged: bool
-    """Whether the search ended where the sum of squares is least, and this is not far beyond the data's
-    errors."""
+    """True if the search ended at a least sum of squares, with residuals of at most a hundred errors."""
     steps: int
     """Number of steps of the search."""
     starts: int
@@ -261,11 +258,11 @@ class Fit:
 
     @property
     def parameters(self) -> Mapping[str, Estimate]:
-        """The estimates by their labels."""
+        """Estimates by their labels."""
         return {estimate.label: estimate for estimate in self.estimates}
 
     def without(self, row: int, name: str, *, profile: bool = True) -> "Fit":
-        """The fit to all data but one, from the gaits of this fit.
+        """Fit to all data but one, from the gaits of this fit.
 
         Parameters
         ----------
@@ -303,7 +300,7 @@ class Fit:
         return concluded(problem, best_from(problem, at))
 
     def without_each(self) -> "tuple[LeftOut, ...]":
-        """The fits without one datum each, of all data that can be spared, with linear intervals."""
+        """Fits without one datum each, for all data that can be spared, with linear intervals."""
         left = []
         for of in self.residuals:
             with contextlib.suppress(InputError):
@@ -311,7 +308,7 @@ class Fit:
         return tuple(left)
 
     def as_json(self) -> dict[str, object]:
-        """The fit as a plain object; an interval that has no end has infinite ones."""
+        """Fit as a plain object; an interval without an end has an infinite one."""
         return {
             **origin_of(self.runners[0]),
             "parameters": {
@@ -337,7 +334,7 @@ class Fit:
         }
 
     def as_text(self) -> str:
-        """Tables of parameters and residuals, and sentences."""
+        """Tables of parameters and residuals, then sentences."""
         parts = [
             table(PARAMETER_HEADER, self.parameter_rows()),
             table(RESIDUAL_HEADER, self.residual_rows()),
@@ -381,7 +378,7 @@ class Fit:
 
 @dataclass(frozen=True, eq=False)
 class LeftOut:
-    """A datum, and the fit without it."""
+    """Datum that was left out, and the fit without it."""
 
     row: int
     """Row of the datum, from 1."""
@@ -400,7 +397,7 @@ class LeftOut:
 
 
 PARAMETER_HEADER = ("parameter", "value", "low", "high")
-"""The interval is that of `CONFIDENCE`."""
+"""Titles of the table of parameters; the interval has the probability `CONFIDENCE`."""
 RESIDUAL_HEADER = ("row", "quantity", "measured", "error", "fitted", "residual / error")
 
 

@@ -1,14 +1,15 @@
-"""The search for the least sum of squares, or of a loss that a datum far off changes little.
+"""Least-squares search, also with Huber's loss, to which a single outlier contributes little.
 
-A search may end on a kink: where words of gaits change, their quantities have one. There a sum of squares may
-be least without being level. With gradients of the regions that meet, it is least where a mean of them, with
-weights that are not negative, is zero. Else their shortest mean, in the metric of the Gauss-Newton method,
-leads down along the kink (Lemarechal 1975; Wolfe 1975, Mathematical Programming Study 3, 145-173).
+A search may end on a kink, because quantities of gaits have a kink where the word of a gait changes. There
+the sum of squares may be least although its gradient is not zero. It is least if a mean of the gradients of
+the regions that meet, with weights that are not negative, is zero. Else the shortest mean, in the metric of
+the Gauss-Newton method, leads down along the kink (Lemarechal 1975; Wolfe 1975, Mathematical Programming
+Study 3, 145-173).
 
-Where a branch of gaits turns back, its gaits have no derivatives by parameters, and a search along them ends.
-A search across folds varies parameters and apices at once, with strides that need not close. The difference
-between the ends of a stride is then a residual, with so large a weight that little is left of it in the end:
-near enough to a gait for the search along the gaits to go on from there.
+At a fold, a branch of gaits turns back. Its gaits have no derivatives by parameters there, and a search along
+them ends. A search across folds varies parameters and apices at once, with strides that need not close. The
+difference between the ends of a stride is then a residual with a large weight. In the end it is so small that
+the search along the gaits can go on from there.
 """
 
 from collections.abc import Iterator, Sequence
@@ -30,39 +31,41 @@ from .problem import FIRST_STEP, Problem, Request
 from .result import is_likely
 
 MAX_STEPS = 60
-"""Largest number of tries of a search."""
+"""Largest number of evaluations in a search."""
 CHANGE = 1e-9
-"""Change of the sum of squares, of the unknowns, and of the slope at which the search ends."""
+"""Relative change of the sum of squares and of the unknowns, and slope, at which a search ends."""
 INSIDE = 1e-9
-"""Distance of an unknown from its bounds where a search begins; SciPy would move a closer one."""
+"""Least distance of an unknown from its bounds at the start of a search; SciPy would move a closer one."""
 HUBER = 1.345
-"""Errors up to which Huber's loss is the square: for normal data its efficiency is then 95 %."""
+"""Residual up to which Huber's loss is the square: for normal data its efficiency is then 95 %."""
 STATIONARY, ROUNDING = 1e-2, 1e-4
-"""Distance of a parameter from its best, over its standard error and over the length of all residuals."""
+"""Distance of a parameter from its optimum that counts as zero.
+
+The distance is relative to the standard error, or to the length of all residuals."""
 
 
 @dataclass(frozen=True, eq=False)
 class Ended:
-    """How a search ended."""
+    """End of a search."""
 
     at: Vector
     """The unknowns."""
     residuals: Vector
     """Residuals at the unknowns."""
     loss: float
-    """The sum of squares, or of the loss."""
+    """Sum of squares, or of Huber's loss."""
     at_bound: NDArray[np.int_]
-    """Active bound of each unknown: -1 or 1 where it is at its least or greatest value, else 0."""
+    """Active bound of each unknown: -1 at the lower bound, 1 at the upper one, else 0."""
     tries: int
     """Number of tries of the search."""
     ended: bool
-    """Whether the search ended by itself, not by the number of tries."""
+    """True if the search ended by itself, not by the number of tries."""
     on_border: bool = False
-    """The loss is least there, but not level: on a kink, where the word of a gait changes."""
+    """True if the loss is least on a kink, where the word of a gait changes."""
 
 
 def best_from(problem: Problem, begin: Vector) -> Ended:
-    """Search from some unknowns; if the data are not met, also across the folds nearby; then along kinks."""
+    """Search from some unknowns; if the residuals stay large, also across folds nearby; then along kinks."""
     found = searched(problem, begin)
     if (
         problem.lost
@@ -123,14 +126,14 @@ def loss_of(residuals: Vector, robust: bool) -> float:
 
 
 def weights_of(residuals: Vector, robust: bool) -> Vector:
-    """Weights of residuals and their changes where the loss is taken as squares: 1, or less where far."""
+    """Weights of residuals and derivatives that turn the loss into squares: less than 1 for outliers."""
     size = np.abs(residuals)
     weights: Vector = np.sqrt(HUBER / np.maximum(size, HUBER)) if robust else np.ones_like(size)
     return weights
 
 
 def is_stationary(ended: Ended, jacobian: Vector, robust: bool) -> bool:
-    """Whether no parameter within its range could make the loss less, to first order."""
+    """True if no parameter within its range could decrease the loss, to first order."""
     weights = weights_of(ended.residuals, robust)
     residuals, slopes = weights * ended.residuals, weights[:, None] * jacobian
     sizes = np.linalg.norm(slopes, axis=0)
@@ -142,7 +145,7 @@ def is_stationary(ended: Ended, jacobian: Vector, robust: bool) -> bool:
 
 
 def starts(first: Gait, request: Request) -> Iterator[Gait]:
-    """Gaits to begin with, the nearest to the data first; none is near a nearer one."""
+    """Gaits to begin with, those nearest to the data first; gaits close to an earlier one are left out."""
 
     def loss(runner: Runner, apex: Vector) -> float:
         """Huber's loss of a gait over all rows."""
@@ -158,21 +161,21 @@ def starts(first: Gait, request: Request) -> Iterator[Gait]:
 
 
 ROUNDS, REGIONS = 12, 8
-"""Largest numbers of searches that go on, and of gradients at one place."""
+"""Largest number of searches along kinks, and of gradients at one point."""
 ASIDE = 1e-4
-"""Distance of an unknown at which another region is looked at."""
+"""Step aside at which the gradient of another region is evaluated."""
 SHORTEST = 1e-4
-"""Shortest step."""
+"""Shortest step down, as a share of the Gauss-Newton step."""
 LEVEL = 1e-4
-"""Fall of the loss that is none."""
+"""Fall of the loss that counts as none."""
 SUFFICIENT = 0.1
 """Share of the predicted fall that a step has to achieve."""
 HEAVY = 1e4
-"""Weight of the sum of weights."""
+"""Weight of the equation that the weights of a mean add up to 1."""
 
 
 def past_kinks(problem: Problem, ended: Ended) -> Ended:
-    """Go on along kinks, to where the loss is least."""
+    """Search on along kinks until the loss is least."""
     for _ in range(ROUNDS):
         try:
             if is_stationary(ended, problem.jacobian(ended.at), problem.robust):
@@ -193,7 +196,7 @@ def past_kinks(problem: Problem, ended: Ended) -> Ended:
 
 
 def _lower_along_kink(problem: Problem, ended: Ended) -> tuple[Vector | None, bool]:
-    """A place of less loss, from one that is not level; without one, whether the loss is least there."""
+    """Point of less loss, from a point with a gradient; without one, True if the loss is least already."""
     free = ended.at_bound == 0
     if not free.any():
         return None, False
@@ -231,7 +234,7 @@ def _slopes(problem: Problem, at: Vector, free: NDArray[np.bool_]) -> tuple[Vect
 
 
 def _shortest(gradients: Vector, inverse: Vector) -> Vector:
-    """The mean, with weights that are not negative, of least length in a metric."""
+    """Shortest mean in a metric, with weights that are not negative."""
     from scipy.optimize import nnls  # slow to load
 
     values, vectors = np.linalg.eigh(inverse)
@@ -246,14 +249,14 @@ def _shortest(gradients: Vector, inverse: Vector) -> Vector:
 WEIGHT = 1e3
 """Weight of a stride's residual over the coordinates' scales, beside residuals over their errors."""
 MAX_STEPS_ACROSS, CHANGE_ACROSS = 100, 1e-6
-"""Largest number of steps; change of the sum of squares and of the unknowns at which the search ends."""
+"""Largest number of evaluations, and relative change at which the search ends."""
 
 
 class Across:
-    """Residuals of a problem and of closing, over parameters and apices."""
+    """Residuals of a problem and of strides that should close, over parameters and apices."""
 
     def __init__(self, problem: Problem, unknowns: Vector) -> None:
-        """Begin at the gaits at which the problem's Jacobian was last computed."""
+        """Begin at the gaits at which the Jacobian of the problem was last evaluated."""
         self.problem, self._first = problem, np.array(problem.apexes)
         self._scales = problem.runner.scales
         self._last: Vector | None = None
@@ -273,9 +276,9 @@ class Across:
         return made, values
 
     def residuals(self, at: Vector) -> Vector:
-        """Those of the problem before those of closing; infinite where a stride does not close.
+        """Residuals of the problem, then those of closing; infinite if a stride does not reach an apex.
 
-        Where no further stride is to be made, those of before, so that the search ends.
+        Once all allowed strides are made, the last residuals are returned, so that the search ends.
         """
         if self.problem.is_spent and self._last is not None:
             return self._last.copy()

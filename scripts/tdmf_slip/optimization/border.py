@@ -1,18 +1,17 @@
 """Borders between regions, the best point on a border, and the best point on the edge off a fold.
 
 At a border the word or the events of a gait change, and its quantities have a kink. They are continuous
-across it and smooth on either side. So their derivatives on both sides differ by a matrix of rank one,
-whose rows are along the normal of the border. This gives the normal exactly. Where that matrix is zero
-the functions are smooth, and the search does not treat the border as one.
+across the border and smooth on either side. The derivatives on both sides therefore differ by a matrix of
+rank one, whose rows are along the normal of the border. This gives the normal exactly. If that matrix is
+zero, the functions are smooth, and the search ignores the border.
 
-Parameters on the border are x = x0 + T u + n s(u), with the normal n at x0, a basis T of the plane across
-it, and s(u) solved for. So the objective and the constraints are functions of u alone, as smooth as the
-region and the border, and their derivatives are those along T + n ds/du, which lies in the border's own
-plane.
+Parameters on the border are x = x0 + T u + n s(u), with the normal n at x0 and a basis T of the plane across
+it; s(u) is solved for. The objective and the constraints are then functions of u alone, as smooth as the
+region and the border. Their derivatives are those along T + n ds/du, which lies in the border's own plane.
 
-On the edge off a fold det(I - J)^2 is at its least. Near a fold gaits change as a square root does, so
-that a search in a box of parameters creeps: a straight step along the edge leads over the fold. On the
-edge itself all is smooth, with one coordinate less than there are parameters.
+On the edge off a fold, det(I - J)^2 has its least allowed value. Near a fold, gaits change like a square
+root, and a search in a box of parameters creeps, because a straight step along the edge leads over the fold.
+On the edge itself all functions are smooth, with one coordinate less than there are parameters.
 """
 
 from collections.abc import Callable
@@ -28,30 +27,30 @@ from .gaits import AT_BOUND, Candidate, Gaits, Rows
 from .problem import OFF_FOLD, Problem, minimize
 
 ACCURACY = 1e-10
-"""Distance of the gaits on both sides, over the width of the bounds."""
+"""Largest distance between the gaits on both sides, over the width of the bounds."""
 ALONG = 1e-9
-"""Accuracy of an objective along a border: the border is located to `ACCURACY`, and functions on it are as
-noisy."""
+"""Accuracy of an objective along a border; functions on it are as noisy as its location, see `ACCURACY`."""
 SMOOTH = 1e-3
-"""Difference of the changes on both sides, over their size, that counts as none."""
+"""Relative difference between the derivatives on both sides that counts as none."""
 CONTINUOUS = 1e-4
-"""Largest difference of the apices on both sides, over the scales: where a foot just touches the ground they
-change as a square root does."""
+"""Largest difference of the apices on both sides, over the scales.
+
+Where a foot just touches the ground, apices change like a square root."""
 NARROWEST, WIDEST = 1e-6, 0.3
-"""Distances at which a border is looked for across itself."""
+"""Shortest and longest distance on both sides at which a border is searched for."""
 RADIUS, SMALLEST = 0.05, 1e-7
-"""Half the width of the first box, and of the last one; of the bounds' width."""
+"""Half the width of the first and of the last box, over the width of the bounds."""
 ROUNDS = 20
 NEAR = 0.5
-"""Share of `OFF_FOLD`: a gait as near to the edge is led onto it."""
+"""Distance from the edge, as a share of `OFF_FOLD`, at which a gait is moved onto the edge."""
 ON_EDGE, NEWTON = 1e-9, 12
-"""Residual of the edge's equation, and steps towards it."""
+"""Largest residual of a gait on the edge, and number of Newton steps towards the edge."""
 INWARDS, LONGEST = 1e-5, 0.1
-"""First and last step off the fold, over the bounds' width, where a point is beyond it."""
+"""First and last step back from beyond the fold, over the width of the bounds."""
 
 
 Region: TypeAlias = set[tuple[object, ...]]
-"""Sequences of events, see `Gait.sequence`, between which nothing has a kink."""
+"""Sequences of events, see `Gait.sequence`, across which all functions are smooth."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,9 +62,9 @@ class Border:
     beyond: Candidate
     """Gait on the other side."""
     is_smooth: bool
-    """Nothing has a kink here."""
+    """True if the functions have no kink at this border."""
     normal: NDArray[np.float64]
-    """Unit vector across it, towards `beyond`, shape (d,)."""
+    """Unit normal of the border, towards `beyond`, shape (d,)."""
 
     @property
     def sides(self) -> tuple[tuple[Candidate, NDArray[np.float64]], ...]:
@@ -74,7 +73,7 @@ class Border:
 
 
 def between(gaits: Gaits, inside: Candidate, outside: Candidate, region: Region) -> Border:
-    """The border where the way from a gait to one beyond it leaves a region: by bisection."""
+    """Border at which the line from a gait to another one leaves a region, by bisection."""
     way = outside.at - inside.at
     low, high, length = 0.0, 1.0, float(np.linalg.norm(way))
     near, beyond = inside, outside.gait
@@ -93,7 +92,7 @@ def between(gaits: Gaits, inside: Candidate, outside: Candidate, region: Region)
 
 
 def _border(short: Candidate, beyond: Candidate, way: NDArray[np.float64]) -> Border:
-    """The border with its normal, which points to the side that the way leads to."""
+    """Border with its normal, which points in the direction of the way."""
     scales = short.gait.runner.scales[:, None]
     if np.max(np.abs(beyond.gait.apex - short.gait.apex) / scales[:, 0]) > CONTINUOUS:
         raise RunError("the gaits end where the word changes")
@@ -111,7 +110,7 @@ def across(
     at: NDArray[np.float64],
     direction: NDArray[np.float64],
 ) -> Border:
-    """The border where a line through a point meets it."""
+    """Border on a line through a point."""
     reach = max(NARROWEST, float(np.sum((at - near.at) ** 2)))
     while reach <= WIDEST:
         low, high = (gaits.follow(near, at + sign * reach * direction) for sign in (-1.0, 1.0))
@@ -123,14 +122,14 @@ def across(
 
 @dataclass(frozen=True, eq=False)
 class OnBorder(Candidate):
-    """A gait on a border; `at` is u, over which the slopes are."""
+    """Gait on a border; `at` is u, and slopes are derivatives by u."""
 
     border: Border
     """Border at this point."""
     plane: NDArray[np.float64]
-    """Changes of the parameters by u, shape (d, d - 1): T + n ds/du."""
+    """Derivatives of the parameters by u, shape (d, d - 1): T + n ds/du."""
     free: NDArray[np.bool_]
-    """Which parameters vary."""
+    """True for the parameters that vary, shape (d,)."""
 
     @property
     def margins(self) -> Rows:
@@ -157,7 +156,7 @@ class Chart:
         self.basis = np.eye(len(free))[:, free] @ np.linalg.svd(border.normal[None, free])[2][1:].T
 
     def point(self, border: Border, u: NDArray[np.float64]) -> OnBorder:
-        """The border as a point of the chart."""
+        """Point of the chart at a border."""
         normal, short = border.normal, border.short
         plane = self.basis - np.outer(self.normal, normal @ self.basis / (normal @ self.normal))
         return OnBorder(
@@ -173,7 +172,7 @@ class Chart:
         )
 
     def follow(self, near: Candidate, u: NDArray[np.float64]) -> OnBorder:
-        """The border at u, from a point on it."""
+        """Point of the chart at u, from one nearby."""
         assert isinstance(near, OnBorder)
         at = near.border.short.at + near.plane @ (u - near.at)
         return self.point(self.locate(near.border.short, at, self.normal), u)
@@ -186,7 +185,7 @@ def _best_over(
     is_optimum: Callable[[Border], bool],
     is_inside: Callable[[Candidate], bool] = lambda gait: True,
 ) -> Border:
-    """The best point on a border, by SLSQP in boxes of the chart."""
+    """Best point on a border, by SLSQP in boxes of the chart."""
     here, radius = chart.point(border, np.zeros(chart.basis.shape[1])), RADIUS
     for _ in range(ROUNDS):
         low, high = here.at - radius, here.at + radius
@@ -203,9 +202,9 @@ def _best_over(
 
 
 def best_along(gaits: Gaits, problem: Problem, border: Border, region: Region, stationary: float) -> Border:
-    """The best point on a border between words, as the region on this side has it.
+    """Best point on a border between words, by the functions of the region on this side.
 
-    At first, parameters at their bounds are held there.
+    The first search holds parameters that are at their bounds.
     """
 
     def is_optimum(border: Border) -> bool:
@@ -224,14 +223,14 @@ def best_along(gaits: Gaits, problem: Problem, border: Border, region: Region, s
 
 
 def is_near(gait: Candidate) -> bool:
-    """Whether a gait is next to the edge off a fold."""
+    """True for a gait near the edge off a fold."""
     return abs(gait.spectrum.fold / OFF_FOLD - 1.0) < NEAR
 
 
 def best_on_edge(
     gaits: Gaits, problem: Problem, begin: Candidate, region: Region, stationary: float
 ) -> Candidate:
-    """The best gait on the edge off a fold that is reached from one near it."""
+    """Best gait on the edge off a fold that is reached from a gait near the edge."""
     normal = begin.spectrum.fold_slopes
     if len(normal) < 2 or not np.any(normal):
         return begin
@@ -252,7 +251,7 @@ def best_on_edge(
 
 
 def _edge(gaits: Gaits, near: Candidate, at: NDArray[np.float64], normal: NDArray[np.float64]) -> Border:
-    """The edge off a fold on a line, by Newton's method."""
+    """Point of the edge off a fold on a line, by Newton's method."""
     gait = _off_fold(gaits, near, at, normal)
     for _ in range(NEWTON):
         left, slopes = gait.spectrum.fold / OFF_FOLD - 1.0, gait.spectrum.fold_slopes
@@ -268,7 +267,7 @@ def _edge(gaits: Gaits, near: Candidate, at: NDArray[np.float64], normal: NDArra
 def _off_fold(
     gaits: Gaits, near: Candidate, at: NDArray[np.float64], normal: NDArray[np.float64]
 ) -> Candidate:
-    """The gait at a point or, where none is there, as little off it as one is."""
+    """Gait at a point, or if there is none, at the nearest point along the normal that has one."""
     step = 0.0
     while step <= LONGEST:
         try:

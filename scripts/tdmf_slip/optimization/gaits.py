@@ -1,17 +1,15 @@
 """Gaits over several parameters, with the gradients of their quantities and of their eigenvalues.
 
-Gradients of quantities are exact, by `library.strides`. The library has no second derivatives. So the
-change of the Jacobian along the gaits comes from central differences of exact Jacobians, of strides that
-begin on the tangent of the gaits. Parameters are shares of the way from their lower bounds to their upper
-ones.
+Gradients of quantities are exact, by `library.strides`. The library has no second derivatives. The derivative
+of the Jacobian along the gaits therefore comes from central differences of exact Jacobians, of strides that
+begin on the tangent of the gaits. Parameters are scaled by their bounds, from 0 to 1.
 
-An eigenvalue of the Jacobian J with left and right vectors y, x changes by y^H dJ x / y^H x, and its size
-by the part of that along it. The spectral radius has no derivative where two eigenvalues are of one size.
-So each of the leading eigenvalues is kept for itself, of a complex pair one: the radius is at most R if
-each of them is, and their sizes are smooth. Where two eigenvalues meet they have no derivative.
+An eigenvalue of the Jacobian J with left and right eigenvectors y, x changes by y^H dJ x / y^H x, and its
+size by the component along the eigenvalue. The spectral radius has no derivative if two eigenvalues have the
+same size. Each of the leading eigenvalues is therefore kept, one of a complex pair. The radius is at most R
+if each of their sizes is, and these are smooth. Where two eigenvalues meet, they have no derivative.
 
-The distance from a fold is measured by det(I - J)^2, which goes to zero there linearly with the
-parameters.
+det(I - J)^2 measures the distance from a fold, where it goes to zero linearly with the parameters.
 """
 
 import contextlib
@@ -31,44 +29,47 @@ from ..library.strides import strides_from, varied_gait
 from ..numerics.following import walk
 
 AT_BOUND = 1e-9
-"""Distance from a bound, over the width, at which a parameter is at it."""
+"""Distance from a bound, over the width, at which the bound is active."""
 ROUNDING = 1e-14
-"""Distance from a bound, over the width, that rounding may leave."""
+"""Distance from a bound, over the width, that counts as rounding."""
 LEADING = 3
 """Number of leading eigenvalues; a complex pair counts once."""
 MINIMUM = 1e-3
-"""Smaller eigenvalues are of no interest, and count as zero."""
+"""Size below which an eigenvalue counts as zero."""
 SIMPLE = 1e-7
-"""Least product of unit left and right vectors: below, two eigenvalues meet."""
+"""Least product of unit left and right eigenvectors; below it, two eigenvalues meet."""
 CENTRAL: Mapping[float, float] = {1.0: 0.5, -1.0: -0.5}
 FORWARD: Mapping[float, float] = {0.0: -1.5, 1.0: 2.0, 2.0: -0.5}
 BACKWARD: Mapping[float, float] = {0.0: 1.5, -1.0: -2.0, -2.0: 0.5}
 OPEN_FORWARD: Mapping[float, float] = {1.0: -2.5, 2.0: 4.0, 3.0: -1.5}
 OPEN_BACKWARD: Mapping[float, float] = {-1.0: 2.5, -2.0: -4.0, -3.0: 1.5}
-"""Differences of second order: weights by how many steps aside. The last two do without the gait itself,
-which may be on the edge of a region: a thrust of zero is no event, any other is."""
+"""Differences of second order: weights by number of steps.
+
+The last two do without the gait itself, which may be on the edge of a region. For example, a thrust of zero
+is
+no event, and any other is."""
 SHORTEST_SHARE = 2.0**-5
-"""Shortest step, as a share of the way from one gait to another."""
+"""Shortest step, as a share of the distance between two gaits."""
 FARTHEST = 0.7
-"""How far a gait may be from where it was predicted, over how far it is from the one before."""
+"""Largest distance of a gait from its prediction, over its distance from the gait before."""
 NEAR = 1e-2
-"""Largest distance, over the scales, of a gait from its prediction at which it belongs to the branch, if it
-is on the same side of the fold."""
+"""Distance of a gait from its prediction, over the scales, up to which it belongs to the branch.
+
+The gait must be on the same side of the fold, too."""
 DIFFERENCES = (1e-5, 1e-7)
-"""Steps of differences over the width of the bounds, along the gaits; the second one where a region is
-narrow."""
+"""Steps of differences along the gaits, over the width of the bounds; the second is for narrow regions."""
 
 SLANTS = (1.0, -1.0, 10.0, -10.0)
 """Slopes of directions between two parameters."""
 ON_EDGE = "the gait is on the edge of an event, where its eigenvalues have no derivatives"
 ROOM, OFF_FOLDS = 0.05, 1e-2
-"""Below its limit and off folds by so much, it does not matter how the spectrum changes."""
+"""Distances of the spectrum from its limit and from folds beyond which its derivatives do not matter."""
 
 
 Rows: TypeAlias = tuple[NDArray[np.float64], NDArray[np.float64]]
 """Values, shape (m,), and their gradients in rows, shape (m, d)."""
 Known: TypeAlias = tuple[Gait, NDArray[np.float64]]
-"""A gait, and the changes of its apex by the parameters."""
+"""Gait, and the derivatives of its apex by the parameters."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -94,9 +95,9 @@ class Space:
         return self.high - self.low
 
     def values(self, at: NDArray[np.float64]) -> dict[str, float]:
-        """The parameters' values, by name, at shares of the way from bound to bound.
+        """Values of the parameters by name, at coordinates from 0 to 1.
 
-        A share that rounding keeps from a bound is at the bound.
+        A coordinate within rounding of a bound is set to the bound.
         """
         near = np.round(at)
         at = np.where(np.abs(at - near) <= ROUNDING, near, at)
@@ -104,7 +105,7 @@ class Space:
         return dict(zip(self.bounds, map(float, values), strict=True))
 
     def runner_at(self, runner: Runner, at: NDArray[np.float64]) -> Runner:
-        """A runner with the values of a point in the space."""
+        """Runner with the values of a point in the space."""
         return runner.replace(self.values(at))
 
     def coordinates_of(self, runner: Runner) -> NDArray[np.float64]:
@@ -114,7 +115,7 @@ class Space:
         return coordinates
 
     def active(self, at: NDArray[np.float64]) -> dict[str, str]:
-        """The parameters that are at a bound, by name: `lower` or `upper`."""
+        """Active bounds by the names of the parameters: `lower` or `upper`."""
         coordinates = dict(zip(self.bounds, at, strict=True))
         low = {name: "lower" for name, share in coordinates.items() if share <= AT_BOUND}
         return low | {name: "upper" for name, share in coordinates.items() if share >= 1.0 - AT_BOUND}
@@ -129,7 +130,7 @@ class Spectrum:
     slopes: NDArray[np.float64]
     """Gradients of the sizes, in rows, shape (m, d)."""
     positive: NDArray[np.bool_]
-    """True for those of positive real eigenvalues, shape (m,)."""
+    """True for positive real eigenvalues, shape (m,)."""
     fold: float
     """Square of det(I - J), which vanishes at a fold."""
     fold_slopes: NDArray[np.float64]
@@ -141,7 +142,7 @@ class Spectrum:
         return cls(np.zeros(0), np.zeros((0, count)), np.zeros(0, dtype=bool), np.inf, np.zeros(count))
 
     def along(self, directions: NDArray[np.float64]) -> "Spectrum":
-        """The same, with the changes along directions, shape (d, e), in columns."""
+        """Spectrum with gradients along directions, which are columns, shape (d, e)."""
         return Spectrum(
             self.sizes, self.slopes @ directions, self.positive, self.fold, self.fold_slopes @ directions
         )
@@ -150,7 +151,7 @@ class Spectrum:
 def spectrum_of(
     jacobian: NDArray[np.float64], variations: Sequence[NDArray[np.float64]], simple: bool = True
 ) -> Spectrum:
-    """The leading eigenvalues' sizes, and how they change."""
+    """Sizes of the leading eigenvalues with their gradients, and the distance from a fold."""
     values, right = np.linalg.eig(jacobian)
     leading = [k for k in np.argsort(-np.abs(values), kind="stable") if values[k].imag >= 0.0][:LEADING]
     sizes, slopes = np.zeros(LEADING), np.zeros((LEADING, len(variations)))
@@ -191,34 +192,34 @@ def _slopes(
 
 @dataclass(frozen=True, eq=False)
 class Candidate:
-    """A gait, and how what is asked of it changes with the parameters; these are over their bounds' width."""
+    """Gait with the gradients of its quantities by the parameters, which are scaled by their bounds."""
 
     at: NDArray[np.float64]
-    """The parameters, inside the bounds from 0 to 1, shape (d,)."""
+    """Parameters, scaled by their bounds, from 0 to 1, shape (d,)."""
     gait: Gait
     """The gait."""
     apex_slopes: NDArray[np.float64]
-    """Changes of the apex by the parameters, shape (n, d)."""
+    """Derivatives of the apex by the parameters, shape (n, d)."""
     values: NDArray[np.float64]
-    """Values of the quantities asked for, shape (q,)."""
+    """Values of the requested quantities, shape (q,)."""
     slopes: NDArray[np.float64]
     """Gradients of the quantities, in rows, shape (q, d)."""
     spectrum: Spectrum
-    """Sizes of the leading eigenvalues with their gradients; none where they were not asked for."""
+    """Sizes of the leading eigenvalues with their gradients; empty if they were not requested."""
 
     @property
     def margins(self) -> Rows:
-        """Margins of the parameters' bounds where they are not those of `at`: none."""
+        """Margins of bounds on the parameters beyond those on `at`: none."""
         return np.zeros(0), np.zeros((0, len(self.at)))
 
     @property
     def region(self) -> tuple[object, ...]:
-        """The word and the events of the stride: all is smooth while they stay."""
+        """Word and events of the stride; all functions are smooth while these stay."""
         return self.gait.sequence
 
 
 class Gaits:
-    """The gaits of a runner over several parameters."""
+    """Gaits of a runner over several parameters."""
 
     def __init__(
         self,
@@ -228,15 +229,15 @@ class Gaits:
         spectrum: bool = False,
         radius: float | None = None,
     ) -> None:
-        """Whose, over which parameters, and what is asked of them.
+        """Keep the runner, the parameters, and the names of the requested quantities.
 
-        Quantities, and eigenvalues or not; the limit of these, if any.
+        `spectrum` requests eigenvalues, and `radius` is their limit, if any.
         """
         self.runner, self.space, self.names, self.with_spectrum = runner, space, tuple(names), spectrum
         self.radius = np.inf if radius is None else radius
 
     def candidate(self, gait: Gait, at: NDArray[np.float64] | None = None) -> Candidate:
-        """A gait with its gradients; `at` by default from its runner."""
+        """Gait with its gradients; `at` is by default that of its runner."""
         at = self.space.coordinates_of(gait.runner) if at is None else at
         varied = varied_gait(gait.runner, gait.apex, self.names, list(self.space.bounds))
         apex_slopes = varied.apex_by_parameters * self.space.width
@@ -247,7 +248,7 @@ class Gaits:
         return Candidate(at, gait, apex_slopes, varied.quantities, slopes, spectrum)
 
     def _spectrum(self, gait: Gait, at: NDArray[np.float64], apex_slopes: NDArray[np.float64]) -> Spectrum:
-        """The spectrum of a gait, without slopes where it has none and no limit is near."""
+        """Spectrum of a gait, without slopes if they do not exist and no limit is near."""
         try:
             return spectrum_of(gait.jacobian, self._jacobian_variations(gait, at, apex_slopes))
         except RunError:
@@ -259,10 +260,10 @@ class Gaits:
     def _jacobian_variations(
         self, gait: Gait, at: NDArray[np.float64], apex_slopes: NDArray[np.float64]
     ) -> list[NDArray[np.float64]]:
-        """Changes of the map's Jacobian along the gaits, by each parameter.
+        """Derivatives of the map's Jacobian along the gaits, by each parameter.
 
-        On the border of a region both ways along a parameter may lead off it, or off its bounds; a direction
-        between it and another parameter, by which the change is known, may not.
+        On the border of a region, both ways along a parameter may leave the region or the bounds. A direction
+        between two parameters may stay inside. If the derivative by one of them is known, it gives the other.
         """
 
         def along(direction: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -291,10 +292,10 @@ class Gaits:
         return list(np.tensordot(np.linalg.inv(directions), variations, axes=1))
 
     def gait_from(self, near: Candidate, at: NDArray[np.float64]) -> Gait:
-        """The gait at a point, from one that is known, on the same branch.
+        """Gait at a point, followed from a known gait on the same branch.
 
-        The way is gone in shorter steps where a gait is not near where the tangent predicts it, or where the
-        sign of det(I - J) says that it is of another branch. Only gaits that run forward count.
+        Steps become shorter if a gait is far from its prediction along the tangent, or if the sign of
+        det(I - J) shows that it belongs to another branch. Only gaits that run forward count.
         """
         way = at - near.at
 
@@ -322,17 +323,17 @@ class Gaits:
         return found
 
     def follow(self, near: Candidate, at: NDArray[np.float64]) -> Candidate:
-        """The gait at a point, with its gradients, from one that is known."""
+        """Gait at a point with its gradients, followed from a known gait."""
         return self.candidate(self.gait_from(near, at), at)
 
 
 def _orientation(gait: Gait) -> bool:
-    """The side of a fold: the sign of det(I - J)."""
+    """Side of a fold: True if det(I - J) is positive."""
     return bool(np.linalg.det(np.eye(len(gait.jacobian)) - gait.jacobian) > 0.0)
 
 
 def _jacobian_variation(gait: Gait, stride: Callable[[float], Gait]) -> NDArray[np.float64]:
-    """Differences of strides on both sides of a gait, or on one if the other is in another region."""
+    """Derivative of the Jacobian by differences on both sides of a gait, or on one in the same region."""
     for length, weights in product(DIFFERENCES, (CENTRAL, FORWARD, BACKWARD, OPEN_FORWARD, OPEN_BACKWARD)):
         try:
             gaits = [stride(length * steps) if steps else gait for steps in weights]

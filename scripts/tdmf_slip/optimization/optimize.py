@@ -1,4 +1,4 @@
-"""The runner whose gait has the least, or the most, of a quantity: over parameters, within bounds."""
+"""Optimal runners: parameters within bounds for which a quantity of the gait is least or largest."""
 
 from __future__ import annotations
 
@@ -49,17 +49,17 @@ def optimize(
 ) -> Optimum:
     """Find the parameters within bounds whose gait has the least or the most of a quantity.
 
-    Sequential quadratic programming (SLSQP) uses gradients that are exact through the gait. They are smooth
-    only while the gait word and the events of the stride stay. Where an iterate is on another region, the
-    border is located. If the objective gets better beyond it, the search goes on there; else SLSQP finds the
+    Sequential quadratic programming (SLSQP) uses exact gradients of the gait's quantities. They are smooth
+    only while the gait word and the events of the stride stay. If an iterate is in another region, the
+    border is located. If the objective improves beyond it, the search goes on there. Else SLSQP finds the
     best point along the border, and the gradients of both sides show whether that is an optimum, see
     `Optimum.remaining_improvement`. Near a fold the search stops where the leading eigenvalue is about 0.99,
     and `limits` reports `fold`.
 
-    Each search is local. The first begins with the given runner, the others where gaits promise most of a
-    thousand or so that the ensemble engine settles all over the bounds (multi-level single linkage). `basins`
-    is the number of different optima that they end at. The result is called local unless no gait can have
-    less: a better gait that no search leads to may exist, also on a branch of unstable ones.
+    Each search is local. The first begins with the given runner. The others begin at the most promising of
+    about a thousand gaits that the ensemble engine finds all over the bounds (multi-level single linkage).
+    `basins` is the number of different optima among the results. The result is called local unless no gait
+    can have less: a better gait that no search reaches may exist, also on a branch of unstable gaits.
 
     Parameters
     ----------
@@ -134,7 +134,7 @@ def checked_objectives(
 
 
 def checked_space(vary: object, model: Model) -> Space:
-    """The parameters that are varied, between bounds that the unit allows."""
+    """Varied parameters, between bounds that the unit allows."""
     allowed = f"1 to {MAX_PARAMETERS} parameters and inputs by name, each with two bounds, A below B"
     bounds = ranges_varied(vary, range(1, MAX_PARAMETERS + 1), allowed, model)
     for name, (low, high) in bounds.items():
@@ -146,7 +146,7 @@ def checked_space(vary: object, model: Model) -> Space:
 def checked_values(
     target: object, objectives: tuple[str, ...], space: Space, model: Model
 ) -> dict[str, float]:
-    """The quantities that are prescribed."""
+    """Prescribed quantities with their values."""
     found = checked_target(target, model, FROM_ZERO)
     for name in found:
         if name in objectives:
@@ -160,14 +160,14 @@ def checked_values(
 
 
 def checked_radius(stable: object) -> float | None:
-    """The largest spectral radius that is asked for."""
+    """Largest spectral radius that is requested; None for any."""
     if isinstance(stable, bool | np.bool_):
         return LARGEST_RADIUS if stable else None
     return checked("stable", stable, 1e-3, 1.0)
 
 
 def check_action(gait: Candidate, space: Space) -> None:
-    """Refuse parameters that do not act on a gait."""
+    """Refuse parameters that have no effect on a gait."""
     for k, name in enumerate(space.bounds):
         if max(np.max(np.abs(gait.apex_slopes[:, k])), np.max(np.abs(gait.slopes[:, k]))) <= NO_ACTION:
             raise InputError(f"vary {name}: has no effect on this gait; allowed: a parameter that has one")
@@ -181,7 +181,7 @@ def _prepared(
     stable: object,
     starts: object,
 ) -> tuple[Optimizer, list[Goal]]:
-    """The optimizer, and a goal for each objective, from arguments that are checked here."""
+    """Check the arguments, and return the optimizer and a goal for each objective."""
     space = checked_space(vary, runner.model)
     prescribed, radius = checked_values(target, tuple(signs), space, runner.model), checked_radius(stable)
     goals = [Goal(name, sign, prescribed, radius=radius) for name, sign in signs.items()]
@@ -225,8 +225,8 @@ def pareto_front(
 ) -> tuple[tuple[str, str], tuple[Optimum, ...]]:
     """Find the best compromises between two quantities, from the best in one to the best in the other.
 
-    Each is an optimum of the first quantity as `optimize` finds it, with a limit on the second. The limits
-    are spread evenly between the values of the two ends.
+    Each compromise is an optimum of the first quantity as `optimize` finds it, with a limit on the second.
+    The limits are spread evenly between the values of the two ends.
 
     Parameters
     ----------
@@ -280,7 +280,7 @@ def pareto_front(
 def _between(
     optimizer: Optimizer, goals: Sequence[Goal], ends: Sequence[Optimum], count: int, bar: Bar
 ) -> Iterator[Optimum]:
-    """Optima with limits on the second quantity, each searched from the one before and from the last."""
+    """Optima with limits on the second quantity, each searched from the one before and the second end."""
     first, second = goals
     low, high = (reported(best.gait)[second.objective] for best in ends)
     before = ends[0]

@@ -1,20 +1,20 @@
 """The search for the best gait: from several starts, by SLSQP in smooth regions, from border to border.
 
-Starts are gaits all over the bounds that have no better one near them. The objective and the constraints
-are smooth functions of the parameters only while the word and the events of the stride stay. So each run
-of SLSQP is on one region, in a box. Where an iterate is on another one, the border between the two is
-located, with the gradients on both sides:
+Starts are gaits all over the bounds without a better gait near them. The objective and the constraints are
+smooth functions of the parameters only while the word and the events of the stride stay. Each run of SLSQP is
+therefore in one region, in a box. If an iterate is in another region, the border between the two is located,
+with the gradients on both sides:
 
-* where the merit falls away from the border on a side, the search goes on there;
-* where it falls on neither, the best point on the border is looked for, by SLSQP along it; this is an optimum
-  where, on both sides, no step makes the merit less, to first order.
+* If the merit falls away from the border on a side, the search goes on there.
+* If it falls on neither side, SLSQP along the border finds the best point on it. This is an optimum if no
+  step on either side decreases the merit, to first order.
 
-The eigenvalues are not even continuous across a border. Where one side violates a constraint on them and
-the other does not, the other is the better one, and the optimum is its.
+The eigenvalues are not even continuous across a border. If only one side violates a constraint on them, the
+optimum is on the other side.
 
-Where an iterate is no gait, because of a fold or a fall, the box becomes smaller. Gaits near a fold
-change without bound, and an optimum at its very edge cannot be found by gradients: the caller then asks
-once more with a constraint that keeps off the fold.
+If an iterate is no gait, because of a fold or a fall, the box becomes smaller. Gaits near a fold change
+without bound, and gradients cannot find an optimum at its very edge. The search is then repeated with a
+constraint that keeps off the fold.
 """
 
 from collections.abc import Sequence
@@ -39,36 +39,37 @@ from .optimum import FOLD, STABILITY, Optimum, reported
 from .problem import MET, OFF_FOLD, Ended, Feasibility, Goal, Problem, minimize
 
 VIOLATED = 2.0
-"""Weight of a violated constraint against the objective where a search is to begin: it will be met there by
-a change of the parameters, which changes the objective by as much or so."""
+"""Weight of a violated constraint against the objective, in a choice of starts.
+
+The search will meet the constraint by a change of the parameters, and the objective changes about as much."""
 RADIUS, SMALLEST = 0.25, 1e-7
-"""Half the width of the first box, and of the last one before a search gives up; of the bounds' width."""
+"""Half the width of the first box, and of the last one before a search gives up, over the bounds' width."""
 ROUNDS = 80
 PATIENCE, LITTLE = 12, 1e-6
-"""Number of runs with smaller improvements of the merit after which a blocked search gives up."""
+"""Number of runs, and their improvement of the merit, after which a blocked search gives up."""
 PROGRESS = 1e-9
 """Least improvement of the merit that counts as progress of a run."""
 STILL_VIOLATED = 1e-3
-"""Violation of the constraints at which a search that makes no progress has nothing to hope for."""
+"""Violation of the constraints above which a search without progress gives up."""
 EDGES = 3
-"""Searches along the edge that is kept off a fold."""
+"""Largest number of searches along the edge off a fold."""
 TOUCHES = "a foot just touches the ground once more there, where gaits end or change as a square root does"
 STATIONARY = 1e-4
 """Fall of the merit, over the size of a step, that counts as none."""
 ROUGHLY = 1e-4
-"""Violation of constraints from which SLSQP is left to meet them."""
+"""Violation of constraints below which SLSQP can meet them on its own."""
 NEARLY = 1e-2
-"""The same limit after a search for a feasible gait, which ends early because its objective is flat there."""
+"""Like `ROUGHLY`, after a search for a feasible gait, which ends early because its objective is flat."""
 FEASIBLE = 1e-7
 """Violation of constraints, over their scales, that is rounding."""
 ACTIVE = 1e-5
-"""Distance of an eigenvalue from its limit at which it is at it."""
+"""Distance of an eigenvalue from its limit at which the limit is active."""
 NATURAL = 1e-2
-"""Least scale of a quantity, over that of its dimension: of one that is zero, or all but."""
+"""Least scale of a quantity that is nearly zero, over the scale of its dimension."""
 APART = 1e-2
-"""Largest distance of optima that count as one, over the width of the bounds; of apices, over the scales."""
+"""Largest distance of optima that count as one, over the width of the bounds and the apices' scales."""
 TRIES = 4
-"""Shares of the way to a start that are tried: all, a half, and so on."""
+"""Number of points on the way to a start that are tried: the end, the middle, and so on."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -76,11 +77,11 @@ class Found:
     """Result of a search."""
 
     gait: Candidate
-    """Best gait that was found."""
+    """Best gait of the search."""
     remaining_improvement: dict[str, float]
-    """Largest decrease of the merit per size of a step, by gait word next to it; zero at an optimum."""
+    """Largest decrease of the merit per size of a step, by gait word on each side; zero at an optimum."""
     border: Border | None = None
-    """Border on which the gait lies, if on any."""
+    """Border on which the gait lies; None if on no border."""
     why: str = ""
     """Reason why the search did not reach an optimum; empty where it did."""
 
@@ -89,11 +90,11 @@ class Search:
     """Search from a gait for the best one of a problem."""
 
     def __init__(self, gaits: Gaits, problem: Problem) -> None:
-        """Keep the runner, the parameters, and what is asked."""
+        """Keep the gaits over the parameters, and the problem."""
         self.gaits, self.problem = gaits, problem
 
     def run(self, begin: Candidate) -> Found:
-        """The optimum that is reached from a gait, or how far the search came."""
+        """Optimum that is reached from a gait, or the best gait before the search stopped."""
         best, region, radius, largest, why = begin, {begin.region}, RADIUS, 1.0, ""
         edges, touches = 0, False
         merits: list[float] = []
@@ -147,9 +148,9 @@ class Search:
     def _at_border(
         self, best: Candidate, beyond: Candidate, region: Region
     ) -> Found | tuple[Candidate, Region, bool]:
-        """The optimum on the border on the way; or the gait and the region to go on from.
+        """Optimum on the border between two gaits; or the gait and the region to go on from.
 
-        With these, whether the search stays where it was, for which it wants a smaller box.
+        The third value is True if the search stays in its region and needs a smaller box.
         """
         merit = self.problem.merit
         border = between(self.gaits, best, beyond, region)
@@ -169,12 +170,12 @@ class Search:
         return min((best, better), key=merit), region, True
 
     def _open_sides(self, border: Border) -> list[tuple[Candidate, NDArray[np.float64]]]:
-        """Sides of a border, without that of greater merit where it jumps: the border itself is as good."""
+        """Sides of a border, without the side of greater merit if the merit jumps."""
         merits = [self.problem.merit(gait) for gait, _ in border.sides]
         return [side for side, merit in zip(border.sides, merits, strict=True) if merit <= min(merits) + MET]
 
     def _better_side(self, border: Border) -> Candidate | None:
-        """Side on which the merit falls away from the border, the steeper of two; None on neither."""
+        """Side on which the merit falls away from the border, the steeper of two; None if on neither side."""
         sides = self._open_sides(border)
         if len(sides) == 1 and sides[0][0] is border.beyond:
             return border.beyond
@@ -190,10 +191,10 @@ class Search:
 
 
 class Optimizer:
-    """Optima of one runner over some parameters."""
+    """Optima of a runner over some parameters."""
 
     def __init__(self, before: Gait, space: Space, starts: int) -> None:
-        """The gait of the runner as it is given; where the searches begin, and how many."""
+        """Keep the runner's own gait, the parameters, and the number of searches."""
         self.before, self.space = before, space
         gaits = Gaits(before.runner, space, ["speed"])
         inside = np.clip(space.coordinates_of(before.runner), 0.0, 1.0)
@@ -207,7 +208,7 @@ class Optimizer:
 
     @cached_property
     def settled(self) -> Settled:
-        """Runners all over the bounds that have settled."""
+        """Settled runners all over the bounds."""
 
         def between_bounds(name: str, shares: NDArray[np.float64]) -> NDArray[np.float64]:
             low, high = self.space.bounds[name]
@@ -217,16 +218,16 @@ class Optimizer:
         return settled_gaits(self.first, tuple(self.space.bounds), between_bounds)
 
     def starts(self, problem: Problem) -> list[Gait]:
-        """Starts of the searches for a problem: the runner's own gait, and where it promises most.
+        """Starts of the searches for a problem: the runner's own gait, then the most promising ones.
 
-        Where too few runners settle, gaits that are reached along the branch from the first.
+        If no runner settles, starts are gaits that are reached along the branch from the first.
         """
         more = self.count - 1
         if not more:
             return [self.first]
 
         def merit(runner: Runner, apex: NDArray[np.float64]) -> float:
-            """The merit of a gait of whose eigenvalues nothing is known."""
+            """Merit of a gait without constraints on its eigenvalues, which are unknown."""
             values, at = (
                 plain_stride(runner, apex, problem.goal.names).quantities,
                 self.space.coordinates_of(runner),
@@ -243,7 +244,7 @@ class Optimizer:
         return [self.first, *found]
 
     def scales(self, goal: Goal) -> dict[str, float]:
-        """Scales of a goal's quantities: their sizes at the first start, or the prescribed values."""
+        """Scales of the quantities of a goal: their sizes at the first start, or the prescribed values."""
         gait = self.first
         units = {name: of.unit for name, of in gait.runner.model.quantities.items()}
         sized = ("speed", "frequency", "stance_time", "length", "slip_distance")
@@ -255,7 +256,7 @@ class Optimizer:
         }
 
     def candidate(self, goal: Goal) -> Candidate:
-        """The first start, with its gradients."""
+        """First start with its gradients."""
         return self._gaits(goal).candidate(self.first)
 
     def best(self, goal: Goal, bar: Bar, starts: Sequence[Gait] = ()) -> Optimum:
@@ -278,7 +279,7 @@ class Optimizer:
         return self._optimum(goal, best, len(begun), _basins(allowed))
 
     def _searched(self, problem: Problem, start: Gait) -> Found:
-        """Search from one start; if that is far from meeting the constraints, first find one that does."""
+        """Search from one start; if it is far from meeting the constraints, find a feasible gait first."""
         if problem.violation(self._gaits(problem.goal).candidate(start)) > ROUGHLY:
             nearest = self._off_folds(Feasibility(problem.goal, problem.scales), start)
             if problem.violation(nearest.gait) > NEARLY:
@@ -287,7 +288,7 @@ class Optimizer:
         return self._off_folds(problem, start)
 
     def _off_folds(self, problem: Problem, start: Gait) -> Found:
-        """Search from one start; where gaits were lost, search once more, kept off folds."""
+        """Search from one start; if gaits were lost, search again off folds."""
         found = self._search(problem, start)
         if not found.why or problem.goal.fold:
             return found
@@ -321,7 +322,7 @@ class Optimizer:
         )
 
     def _optimum(self, goal: Goal, found: Found, starts: int, basins: int) -> Optimum:
-        """The optimum as it is reported."""
+        """Optimum as it is reported."""
         spectrum, limits = found.gait.spectrum, []
         if goal.radius is not None and goal.radius - spectrum.sizes[0] <= ACTIVE:
             limits.append(STABILITY)
@@ -343,7 +344,7 @@ class Optimizer:
 
 
 def _basins(found: Sequence[Found]) -> int:
-    """How many different optima there are among gaits that searches ended at."""
+    """Number of different optima among the results of searches."""
     different: list[Candidate] = []
     for gait in (one.gait for one in found if not one.why):
         scales = gait.gait.runner.scales
@@ -357,7 +358,7 @@ def _basins(found: Sequence[Found]) -> int:
 
 
 def _reached(gaits: Gaits, begin: Gait, point: NDArray[np.float64], tries: int) -> Gait | None:
-    """The gait at a point or, where the branch does not lead so far, on the way there."""
+    """Gait at a point, or on the way to it if the branch does not lead so far."""
     try:
         first = gaits.candidate(begin)
         way = point - first.at

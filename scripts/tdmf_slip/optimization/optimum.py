@@ -1,4 +1,4 @@
-"""The best runner that was found, beside the one that the search began with."""
+"""Best runner of all searches, beside the runner with which the first one began."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -13,7 +13,7 @@ NEVER_NEGATIVE = (
     *("slip_distance", "greatest_slip_velocity", "friction_loss", "positive_hip_work"),
     *("positive_leg_work", "positive_work", "positive_cost_of_transport"),
 )
-"""Quantities that are never negative."""
+"""Quantities that cannot be negative."""
 NONE = 1e-9
 """Values below this, relative to the runner's scale, count as zero."""
 
@@ -30,7 +30,7 @@ class Optimum:
     objective: str
     """Quantity that was minimized or maximized."""
     is_minimum: bool
-    """Whether the objective was minimized."""
+    """True if the objective was minimized."""
     parameters: Mapping[str, float]
     """Values of the varied parameters by name, in the unit's units."""
     gait: Gait
@@ -64,7 +64,7 @@ class Optimum:
 
     @property
     def is_local(self) -> bool:
-        """Whether a better gait may exist that no search has found.
+        """True if a better gait may exist that no search has found.
 
         Searches from many starts do not exclude it. False only where no gait can have less, such as a slip
         distance of zero.
@@ -86,12 +86,12 @@ class Optimum:
 
     @property
     def stable(self) -> bool:
-        """Whether the gait is stable."""
+        """True if the gait is stable."""
         return self.gait.stable
 
     @property
     def is_at_border(self) -> bool:
-        """Whether the optimum lies on a border where the word or the order of events changes."""
+        """True if the optimum lies on a border where the word or the order of events changes."""
         return len(self.remaining_improvement) > 1
 
     def as_json(self) -> dict[str, object]:

@@ -1,13 +1,13 @@
-"""An objective and constraints of a gait without dimension, their violation, and the SLSQP method over gaits.
+"""Objective and constraints of a gait without dimension, their violation, and the SLSQP method over gaits.
 
-A quantity is taken over its scale, and a parameter over the width of its bounds. A linear program shows
-how near a gait is to an optimum of its region: within a small box, by how much could the objective and the
-violation of the constraints decrease if all were linear? Where that is zero, the conditions of Karush, Kuhn
-and Tucker hold.
+Quantities are divided by their scales, and parameters by the width of their bounds. A linear program shows
+how near a gait is to an optimum of its region. It finds the largest decrease of the objective and of the
+violation of the constraints in a small box, if all were linear. If that is zero, the conditions of Karush,
+Kuhn and Tucker hold.
 
-Sequential quadratic programming (Kraft's SLSQP, of SciPy) runs in a box, on one smooth region. It ends
-where an iterate is on another region of the functions, or is no gait. The caller then goes on from what
-was found, with a smaller box or on the other region.
+Sequential quadratic programming (Kraft's SLSQP, of SciPy) runs in a box, in one smooth region. It ends if an
+iterate is in another region of the functions, or is no gait. The caller then goes on from the best gait, with
+a smaller box or in the other region.
 """
 
 import contextlib
@@ -26,10 +26,9 @@ PENALTY = 100.0
 MET = 1e-8
 """Violation of a constraint that counts as none."""
 OFF_FOLD = 1e-4
-"""Least det(I - J)^2 of a gait that is to keep off folds: the eigenvalue there is 0.99 or so, instead of
-1."""
+"""Least det(I - J)^2 of a gait off folds: the leading eigenvalue is then about 0.99 instead of 1."""
 MIN_ROOM = 1e-2
-"""Least distance, used as a scale, between the largest allowed radius and 1."""
+"""Least scale of eigenvalues' margins, which is otherwise 1 less the largest allowed radius."""
 LITTLE = 1e-3
 """Size of the linear program's box."""
 
@@ -47,22 +46,22 @@ class Goal:
     sign: float = 1.0
     """1 to minimize, -1 to maximize."""
     at: Mapping[str, float] = field(default_factory=dict)
-    """Quantities that are prescribed."""
+    """Prescribed values by quantity."""
     upper_limits: Mapping[str, tuple[float, float]] = field(default_factory=dict)
-    """Sign and limit by quantity: sign times the quantity is to be at most sign times the limit."""
+    """Sign and limit by quantity: sign times the quantity must be at most sign times the limit."""
     radius: float | None = None
-    """The largest spectral radius, if any is asked for."""
+    """Largest allowed spectral radius; None for any."""
     fold: bool = False
-    """Keep off folds, by `OFF_FOLD`."""
+    """True to keep off folds, by `OFF_FOLD`."""
 
     @property
     def with_spectrum(self) -> bool:
-        """Whether eigenvalues are asked for."""
+        """True if eigenvalues are constrained."""
         return self.fold or self.radius is not None
 
     @property
     def names(self) -> tuple[str, ...]:
-        """Names of all quantities in it, each once."""
+        """Names of all quantities of the goal, each once."""
         return tuple(dict.fromkeys((self.objective, *self.at, *self.upper_limits)))
 
 
@@ -70,7 +69,7 @@ class Problem:
     """A goal as functions of a gait."""
 
     def __init__(self, goal: Goal, scales: Mapping[str, float]) -> None:
-        """The scales are those of the quantities."""
+        """Keep the goal, and the scales of its quantities."""
         self.goal, self.scales = goal, scales
 
     def objective(self, gait: Candidate) -> tuple[float, NDArray[np.float64]]:
@@ -88,9 +87,9 @@ class Problem:
         return off, gait.slopes[rows] / scales[:, None]
 
     def margins(self, gait: Candidate) -> Rows:
-        """Margins of the inequality constraints, which are to be zero or more, and their gradients.
+        """Margins of the inequality constraints, which must not be negative, and their gradients.
 
-        The last ones are the gait's own.
+        The gait's own margins come last.
         """
         goal = self.goal
         rows = [goal.names.index(name) for name in goal.upper_limits]
@@ -113,18 +112,21 @@ class Problem:
         return float(np.sum(np.abs(self.equations(gait)[0])) - np.sum(np.minimum(self.margins(gait)[0], 0.0)))
 
     def merit(self, gait: Candidate) -> float:
-        """The objective with what a violation weighs: the less, the better is the gait."""
+        """Objective plus the penalty of violations: the less, the better."""
         violation = self.violation(gait)
         return self.objective(gait)[0] + (PENALTY * violation if violation > MET else 0.0)
 
     def gain(self, gait: Candidate, away: NDArray[np.float64]) -> float:
-        """How much steeper the merit falls away from a border than along it, at a gait beside it."""
+        """Steepest fall of the merit away from a border less that along it, at a gait beside it."""
         return self.steepest(gait, away) - self.steepest(gait, away, along=True)
 
     def steepest(
         self, gait: Candidate, normal: NDArray[np.float64] | None = None, *, along: bool = False
     ) -> float:
-        """How much less the merit could be, over the size of the step, to first order."""
+        """Largest decrease of the merit, over the size of the step, to first order.
+
+        With a normal, steps are on the side to which it points, or `along` the plane across it.
+        """
         from scipy.optimize import linprog  # slow to load
 
         gradient = self.objective(gait)[1]
@@ -154,10 +156,10 @@ class Problem:
 
 
 def _below(spectrum: Spectrum, radius: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """How far eigenvalues are below a radius, and the change of this by their sizes.
+    """Margins of eigenvalues below a radius, and their derivatives by the eigenvalues' sizes.
 
-    A positive one goes to 1 at a fold as a square root does: its margin is that of (1 - size)^2, which is
-    linear there, and is as much below its limit to first order, but for a factor of two.
+    At a fold, a positive eigenvalue goes to 1 like a square root. Its margin is therefore that of
+    (1 - size)^2, which is linear there. Near the limit both margins agree, except for a factor of two.
     """
     room = max(1.0 - radius, MIN_ROOM)
     off = 1.0 - spectrum.sizes
@@ -167,7 +169,7 @@ def _below(spectrum: Spectrum, radius: float) -> tuple[NDArray[np.float64], NDAr
 
 
 class Feasibility(Problem):
-    """How far a gait is from meeting a goal's constraints, as an objective without any."""
+    """Violation of a goal's constraints as the objective of a problem without constraints."""
 
     def objective(self, gait: Candidate) -> tuple[float, NDArray[np.float64]]:
         """Half the sum of squared violations, and its gradient."""
@@ -186,18 +188,18 @@ class Feasibility(Problem):
 
 @dataclass(frozen=True, eq=False)
 class Ended:
-    """How a search within a box ended."""
+    """End of a search within a box."""
 
     best: Candidate
-    """The gait of least merit that was seen on the region."""
+    """Gait of least merit among the iterates in the region."""
     beyond: Candidate | None
-    """An iterate on another region, which ended it."""
+    """Iterate in another region that ended the search, if any."""
     lost: str
-    """Why an iterate is no gait, which ended it; else empty."""
+    """Reason why an iterate that ended the search is no gait; else empty."""
 
 
 class _LeftError(Exception):
-    """An iterate is not on the region."""
+    """An iterate is outside of the region."""
 
 
 def minimize(
@@ -209,7 +211,7 @@ def minimize(
     is_inside: Callable[[Candidate], bool] = lambda gait: True,
     accuracy: float = ACCURACY,
 ) -> Ended:
-    """The best gait of a region in a box around one, or how far the search came."""
+    """Best gait of a region in a box, and the reason why the search left the region, if it did."""
     from scipy.optimize import minimize as by_scipy  # slow to load
 
     seen = [begin]

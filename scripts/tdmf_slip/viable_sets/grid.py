@@ -1,22 +1,20 @@
-"""The grid of a viable set: cells of a plane of apices, and actions to choose from at each.
+"""The grid of a viable set: cells of a plane of apices, and actions to choose from at each apex.
 
-Boxes of cells that hold the image of a whole cell, by what is known at corners.
+The image of a whole cell is enclosed in a box, from images of its corners. For any point x of a cell, P(x) is
+within `f D |x - x_k|` of the image of corner k, if f D bounds the derivatives in the cell. The mean over
+corners of `|x_j - x_kj|` is half a side for every x. Therefore
 
-For any point x of a cell, P(x) is within `f D |x - x_k|` of the image of corner k, if f D bounds the
-derivatives in the cell. The mean over corners of `|x_j - x_kj|` is half a side, wherever x is. So
+    P_i(x) = mean of P_i(x_k)  +-  f sum of D_ij h_j / 2.
 
-    P_i(x) = mean of P_i(x_k)  +-  f sum of D_ij h_j / 2,
+This is the exact box of the image for a linear map and f = 1. D is the largest derivative at the corners, by
+one-sided differences to the neighbours along each coordinate. It only estimates the derivatives in between;
+the factor f is a margin of safety. If some corners have no image, the mean is over the others, and the larger
+share of the corners on one side replaces the half.
 
-which for a linear map and f = 1 is the image's own box. D is the largest derivative found at the corners, of
-one-sided differences to the neighbours along each coordinate. So that it bounds the derivatives in between is
-an estimate; the factor f is what is given to be safe. Where some corners have no image, the mean is that over
-the others, and half a side becomes the larger share of them that are on one side.
-
-The largest set of states that some action keeps in it, and the least that leads to a set.
-
-A state counts while it has a pair that counts, a pair while its box of states does: for an inner set every
-state of the box has to count, for an outer one some state. How many of a box count is read off a table of
-sums, four numbers for a box of any size, so that a pass takes all pairs at once.
+The viable set is the largest set of states that some action maps back into the set. A state is in the set
+while one of its pairs of state and action is. A pair is in the inner set while every state of its box is,
+and in the outer set while some state is. A table of cumulated sums gives the number of such states in a box
+of any size from four numbers, so that a pass takes all pairs at once.
 """
 
 from __future__ import annotations
@@ -54,43 +52,43 @@ MAX_CELLS = 2048
 MAX_ACTIONS = 4096
 """Largest number of values of one setting."""
 MAX_STRIDES = 50_000_000
-"""Largest number of strides of a grid. They take 1.5 GB, and two to four minutes on two processors."""
+"""Largest number of strides of a grid; they take 1.5 GB, and two to four minutes on two processors."""
 VALUES = 16
 """Number of values of a setting, by default."""
 
 
 @dataclass(frozen=True, eq=False)
 class Grid:
-    """Cells over two coordinates of the section, and what may be set at each apex."""
+    """Cells over two coordinates of the section, and actions for each apex."""
 
     edges: Mapping[str, NDArray[np.float64]]
-    """Borders of the cells by coordinate, rising, shape (cells + 1,)."""
+    """Edges of the cells by coordinate, in increasing order, shape (cells + 1,)."""
     actions: Mapping[str, NDArray[np.float64]]
-    """Values to choose from by setting, shape (values,). An action has one of each."""
+    """Values by setting, shape (values,). An action has one value of each setting."""
 
     @property
     def cells(self) -> tuple[int, int]:
-        """How many along each coordinate."""
+        """Number of cells along each coordinate."""
         rows, columns = (len(edges) - 1 for edges in self.edges.values())
         return rows, columns
 
     @property
     def nodes(self) -> tuple[int, int]:
-        """How many corners of cells along each coordinate."""
+        """Number of corners of cells along each coordinate."""
         return self.cells[0] + 1, self.cells[1] + 1
 
     def columns(self, runner: Runner) -> list[int]:
-        """Places of both coordinates in a point of the runner's section."""
+        """Indices of both coordinates in a point of the runner's section."""
         return [runner.coordinates.index(axis) for axis in self.edges]
 
     @property
     def action_shape(self) -> tuple[int, ...]:
-        """How many values of each setting."""
+        """Number of values of each setting."""
         return tuple(len(values) for values in self.actions.values())
 
     @property
     def action_count(self) -> int:
-        """Number of all combinations of settings."""
+        """Number of actions, which are all combinations of settings."""
         return math.prod(self.action_shape)
 
     @property
@@ -100,11 +98,11 @@ class Grid:
 
     @property
     def origin(self) -> NDArray[np.float64]:
-        """The lowest corner, shape (2,)."""
+        """Corner of the grid with the least coordinates, shape (2,)."""
         return np.array([edges[0] for edges in self.edges.values()])
 
     def all_actions(self) -> dict[str, NDArray[np.float64]]:
-        """Each action's value of each setting, shape (actions,), the last setting running fastest."""
+        """Value of each setting in all actions, shape (actions,); the last setting varies fastest."""
         mesh = np.meshgrid(*self.actions.values(), indexing="ij")
         return {name: values.ravel() for name, values in zip(self.actions, mesh, strict=True)}
 
@@ -115,7 +113,7 @@ class Grid:
         return middles
 
     def cell_of(self, apices: NDArray[np.float64]) -> NDArray[np.intp]:
-        """The cells that hold apices."""
+        """Numbers of the cells that hold apices, -1 for an apex outside of the grid."""
         indices = np.floor((apices - self.origin) / self.sizes)
         inside: NDArray[np.bool_] = np.logical_and.reduce((indices >= 0) & (indices < self.cells), axis=1)
         rows, columns = np.where(inside[:, np.newaxis], indices, 0).astype(np.intp).T
@@ -123,7 +121,7 @@ class Grid:
 
 
 def grid_of(runner: Runner, axes: Any, vary: Any, n: Any) -> Grid:
-    """The grid that is asked for."""
+    """Grid from arguments, which are checked here."""
     ranges = mapping_of(axes, "axes", "a mapping of both coordinates to ranges (low, high)")
     known = runner.coordinates if runner.model.is_own else REDUCED
     check_axes(tuple(ranges), known)
@@ -163,16 +161,16 @@ def _actions(runner: Runner, vary: Any) -> dict[str, NDArray[np.float64]]:
 
 NOT_YET = -1
 STRIDES_IN_A_CALL = 65_536
-"""Each takes 400 bytes of memory."""
+"""Number of strides in a call of the engine; each takes 400 bytes of memory."""
 STRIDES_IN_A_BLOCK = 65_536
 
 
 def strides_of(
     runner: Runner, grid: Grid, point: NDArray[np.float64], rows: Sequence[int]
 ) -> tuple[NDArray[np.int8], NDArray[np.float32]]:
-    """All actions from all corners in rows of a grid: a block of work.
+    """Make the strides of all actions from all corners in some rows of a grid: a block of work.
 
-    All corners have the coordinates of a point of the section that are no axes of the grid.
+    Coordinates that are no axes of the grid are those of `point` at all corners.
     """
     count, columns = grid.action_count, grid.columns(runner)
     along, across = grid.edges.values()
@@ -190,7 +188,7 @@ def strides_of(
 
 
 def no_transitions(runner: Runner, grid: Grid, point: NDArray[np.float64]) -> xarray.Dataset:
-    """The dataset of a grid before any stride."""
+    """Dataset of a grid before any stride."""
     shared = dict(zip(runner.coordinates, point.tolist(), strict=True)) if runner.model.is_own else {}
     corners = [f"{axis}_edge" for axis in grid.edges]
     over, shape = (*corners, *grid.actions), (*grid.nodes, *grid.action_shape)
@@ -238,12 +236,12 @@ def fill_transitions(
 
 PAIRS_AT_ONCE = 1_000_000
 ROUNDING = 2.0**-22
-"""Rounding of images, which are kept in single precision, over the largest coordinate."""
+"""Rounding of images in single precision, over the largest coordinate."""
 
 
 @dataclass(frozen=True, eq=False)
 class Boxes:
-    """Pairs of a cell and an action that may count, each with a box of cells."""
+    """Pairs of a cell and an action, each with the box of cells that encloses its image."""
 
     cells: NDArray[np.int32]
     """Number of each pair's cell, row by row, shape (pairs,)."""
@@ -255,14 +253,14 @@ class Boxes:
     """Last row and column, shape (2, pairs)."""
 
     def some(self, which: NDArray[np.bool_] | NDArray[np.intp]) -> Boxes:
-        """The boxes of some of the pairs."""
+        """Boxes of some of the pairs."""
         return Boxes(self.cells[which], self.actions[which], self.low[:, which], self.high[:, which])
 
 
 def boxes_of(
     grid: Grid, images: NDArray[np.float32], scales: NDArray[np.float64], factor: float, *, inner: bool
 ) -> Boxes:
-    """The pairs that may count, and the boxes of cells in which their images are.
+    """Enclose the images of pairs in boxes of cells; pairs whose image leaves the grid are left out.
 
     Images are the next coordinates of strides from corners, shape (2, nodes, nodes, actions), NaN where a
     stride did not close.
@@ -323,7 +321,7 @@ def _block(
 
 
 def _corners(of_nodes: NDArray[np.float32]) -> list[NDArray[np.float32]]:
-    """Values at each cell's corners: low and low, low and high, high and low, high and high."""
+    """Values at the corners of each cell: low and low, low and high, high and low, high and high."""
     sides = slice(None, -1), slice(1, None)
     return [of_nodes[:, rows, columns] for rows in sides for columns in sides]
 
@@ -331,7 +329,7 @@ def _corners(of_nodes: NDArray[np.float32]) -> list[NDArray[np.float32]]:
 def _largest_differences(
     images: NDArray[np.float32], rows: range
 ) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
-    """Largest differences of images along both axes, at each cell's sides and next to them; NaN for none."""
+    """Largest differences of images along both axes, at and next to each cell's sides; NaN for none."""
     first, last = max(0, rows.start - 1), min(images.shape[1], rows.stop + 2)
     beside = (first - rows.start + 1, rows.stop + 2 - last), (1, 1)
     around = np.pad(images[:, first:last], ((0, 0), *beside, (0, 0)), constant_values=np.nan)
@@ -344,7 +342,7 @@ def _largest_differences(
 
 
 def _accuracy(grid: Grid, scales: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Largest error of an image as it is kept, shape (2,)."""
+    """Largest error of a stored image, shape (2,)."""
     largest = np.array([np.abs(edges).max() for edges in grid.edges.values()])
     off: NDArray[np.float64] = ACCURACY * scales + ROUNDING * largest
     return off
@@ -352,18 +350,18 @@ def _accuracy(grid: Grid, scales: NDArray[np.float64]) -> NDArray[np.float64]:
 
 @dataclass(frozen=True, eq=False)
 class Kept:
-    """A set of states, and the pairs that keep runners in it."""
+    """Set of states, and the pairs that keep runners in the set."""
 
     states: NDArray[np.bool_]
     """True for the states of the set, shape (rows, columns)."""
     pairs: NDArray[np.intp]
-    """Numbers of the pairs among those that were given."""
+    """Numbers of the pairs among the given ones."""
     passes: int
-    """Number of passes; the last one took no state away."""
+    """Number of passes; the last one removed no state."""
 
 
 def sums_of(states: NDArray[np.bool_]) -> NDArray[np.int32]:
-    """Number of states above and left of each corner that count, shape (rows + 1, columns + 1)."""
+    """Number of states in the set above and left of each corner, shape (rows + 1, columns + 1)."""
     sums = np.zeros((states.shape[0] + 1, states.shape[1] + 1), np.int32)
     np.cumsum(np.cumsum(states, axis=0, dtype=np.int32), axis=1, out=sums[1:, 1:])
     return sums
@@ -385,7 +383,7 @@ def lands(boxes: Boxes, states: NDArray[np.bool_], *, inner: bool) -> NDArray[np
 
 
 def largest_kept(boxes: Boxes, shape: tuple[int, int], *, inner: bool) -> Kept:
-    """The largest set in which every state has a pair that leads back into it."""
+    """Largest set in which every state has a pair that leads back into the set."""
     alive = np.arange(len(boxes.cells))
     before, states = None, _with_pairs(boxes.cells, shape)
     passes = 0
@@ -398,7 +396,7 @@ def largest_kept(boxes: Boxes, shape: tuple[int, int], *, inner: bool) -> Kept:
 
 
 def strides_to(boxes: Boxes, target: NDArray[np.bool_], *, inner: bool) -> NDArray[np.int32]:
-    """The fewest strides in which some choice of actions leads from each state into a set."""
+    """Fewest strides in which some choice of actions leads from each state into a set; -1 for none."""
     strides = np.where(target, 0, -1).astype(np.int32)
     count = 0
     while True:

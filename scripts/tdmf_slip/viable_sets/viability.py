@@ -1,4 +1,4 @@
-"""The viable set of a runner on a grid: found from inside and from outside."""
+"""Viable set of a runner on a grid, enclosed by an inner and an outer set."""
 
 from __future__ import annotations
 
@@ -44,9 +44,9 @@ GRADES = ("not viable", "open", "viable")
 class ViableController:
     """Law that sets, at each apex, the viable action nearest to a wish, over the ranges of the settings.
 
-    Actions are those of the inner set where the apex's cell has some, else those of the outer one. Where
-    neither has any, or outside of the grid, nothing is known to help, and the wish itself is set; `grade_at`
-    says which case holds.
+    Actions are those of the inner set if the cell of the apex has any, else those of the outer set. If
+    neither has any, or outside of the grid, no action is known to help, and the wish itself is set.
+    `grade_at` reports which case holds.
 
     Parameters
     ----------
@@ -58,7 +58,7 @@ class ViableController:
     Raises
     ------
     InputError
-        The dataset is no viable set, or the wish names something else, or is out of a setting's range.
+        The dataset is no viable set, the wish has an unknown name, or a value is out of its setting's range.
 
     Examples
     --------
@@ -108,17 +108,17 @@ class ViableController:
         Parameters
         ----------
         apex : sequence of float
-            In the order of the section. Coordinates that are no axes of the viable set are not looked at.
+            Coordinates in the order of the section. Those that are no axes of the viable set are ignored.
 
         Returns
         -------
         dict of str to float
-            By setting, in its unit.
+            Value by setting, in its unit.
         """
         return {name: float(values[0]) for name, values in self._settings(self._cell(apex)).items()}
 
     def grade_at(self, apex: ArrayLike) -> str:
-        """How good the choice at an apex is: one of `GRADES`.
+        """Grade of the choice at an apex: one of `GRADES`.
 
         Parameters
         ----------
@@ -146,7 +146,7 @@ class ViableController:
         return self._settings(self.grid.cell_of(apices[:, self.columns]))
 
     def _settings(self, cells: NDArray[np.intp]) -> dict[str, NDArray[np.float64]]:
-        """Actions in cells, by name; -1 is a place outside of the grid."""
+        """Values of the settings in cells, by name; cell -1 is outside of the grid."""
         is_known, actions = (cells >= 0) & (self.levels[cells] > 0), self.grid.all_actions()
         return {
             name: np.where(is_known, actions[name][self._choices[cells]], wished)
@@ -154,12 +154,12 @@ class ViableController:
         }
 
     def as_table(self) -> list[tuple[str | float, ...]]:
-        """The choice of each cell, as rows of a table.
+        """Choices of all cells, as rows of a table.
 
         Returns
         -------
         list of tuple
-            Names first; then of each cell its middle, its grade and what is set, in SI units.
+            Names first, then a row for each cell: its middle, its grade and its settings, in SI units.
         """
         rows, columns = (self.grid.centers(axis) for axis in self.grid.edges)
         middles = np.stack(np.meshgrid(rows, columns, indexing="ij"), axis=-1).reshape(-1, 2)
@@ -192,14 +192,14 @@ def viability(
     executor: Executor | None = None,
     progress: bool = False,
 ) -> xarray.Dataset:
-    """Compute the viable set: the apices from which some choice of actions avoids a fall for ever.
+    """Compute the viable set: the apices from which some choice of actions avoids a fall forever.
 
-    At each apex an action is chosen anew from a finite number. A cell of the plane of apices is viable while
-    some action leads from there to a viable cell; leaving the ranges counts as a failure. The set of Heim and
-    Badri-Sproewitz (2019) is enclosed by two sets. In the inner set, an action counts only where it leads the
-    whole cell into cells that count; in the outer set, where it may lead some of the cell into one. Where a
-    cell leads is estimated from derivatives at its corners, so both sets are estimates, not proofs. The grid
-    leaves open what is in the outer set alone.
+    At each apex one of a finite number of actions is chosen. A cell of the plane of apices is viable while
+    some action leads from there to a viable cell; leaving the ranges counts as a failure. Two sets enclose
+    the set of Heim and Badri-Sproewitz (2019). In the inner set, an action counts only if it leads the whole
+    cell into cells of the set. In the outer set, it counts if it may lead a part of the cell into one. The
+    image of a cell is estimated from derivatives at its corners, so both sets are estimates, not proofs.
+    Cells in the outer set alone are open: the grid is too coarse to classify them.
 
     Parameters
     ----------
@@ -222,10 +222,10 @@ def viability(
         Safety factor, at least 1: derivatives within a cell are assumed to be at most this many times the
         largest at its corners. Those are estimated by differences between neighbouring corners.
     gait : Gait or sequence of float, optional
-        A gait, or its apex. The result then also has the fewest strides from each cell to the gait: to a
-        cell all of whose points are within three sides of a cell of the apex.
+        A gait, or its apex. The result then also has the fewest strides from each cell to the gait. A
+        cell is at the gait if all of its points are within three sides of a cell of the apex.
     path : Path or str, optional
-        NetCDF file (.nc) for the sets and the strides that they rest on. An existing file is resumed.
+        NetCDF file (.nc) for the sets and the strides behind them. An existing file is resumed.
     executor, progress : as in `sweep`
 
     Returns
@@ -233,7 +233,7 @@ def viability(
     xarray.Dataset
         Over the middles of the cells:
 
-        - `viable`, by its flags, and over the settings, too, `viable_pair`;
+        - `viable`, as flags, and `viable_pair`, also over the settings;
         - `inner_robustness` and `outer_robustness`, the share of actions that are viable: Heim's measure;
         - `inner_drop` and `outer_drop`, m: the largest drop of the ground at the apex that leaves a viable
           state, for all points of the cell, and for some; NaN outside of the set; only over `com_height`;
@@ -286,7 +286,7 @@ def viability(
 def _with_sets(
     data: xarray.Dataset, runner: Runner, grid: Grid, factor: float, target: NDArray[np.bool_] | None
 ) -> xarray.Dataset:
-    """Transitions with both sets."""
+    """Dataset of the transitions and both sets."""
     over, flat = tuple(grid.edges), (*grid.nodes, grid.action_count)
     images = np.stack([data[f"next_{axis}"].values.reshape(flat) for axis in grid.edges])
     scales = runner.scales[grid.columns(runner)]
@@ -323,7 +323,7 @@ def _with_sets(
 
 
 def _largest_drop(states: NDArray[np.bool_], grid: Grid, *, inner: bool) -> NDArray[np.float64]:
-    """Height to which cells of a set go on above each cell: a drop adds to the height above the ground."""
+    """Height of the cells of a set above each cell; a drop of the ground adds to the height."""
     above = np.zeros(states.shape)
     for row in range(len(states) - 2, -1, -1):
         above[row] = np.where(states[row + 1], above[row + 1] + 1.0, 0.0)
@@ -331,10 +331,10 @@ def _largest_drop(states: NDArray[np.bool_], grid: Grid, *, inner: bool) -> NDAr
 
 
 def point_of(runner: Runner, axes: Sequence[str], gait: Gait | Apex | None) -> NDArray[np.float64]:
-    """A point of the section, whose coordinates other than the axes all starts have.
+    """Point of the section that gives all starts their coordinates other than the axes.
 
-    Of the full model the leg is at rest where the runner's own settings have placed it, as long as it is
-    unloaded: what the last placement leaves. Of a model of one's own it is a gait, by default the one found.
+    In the full model, the unloaded leg is at rest where the runner's own settings place it. In a model of
+    one's own, the point is the apex of the given gait, or else of the gait that `find_gait` finds.
     """
     if len(runner.coordinates) == len(axes):
         return np.zeros(len(axes))
@@ -347,7 +347,7 @@ def point_of(runner: Runner, axes: Sequence[str], gait: Gait | Apex | None) -> N
 
 
 def _cells_about(runner: Runner, grid: Grid, gait: Gait | Apex) -> NDArray[np.bool_]:
-    """The cells about a gait's apex."""
+    """Mask of the cells about the apex of a gait."""
     allowed = "a Gait, or the coordinates of an apex"
     apex = gait.apex if isinstance(gait, Gait) else np.atleast_1d(numbers_of("gait", gait, allowed))
     if apex.ndim != 1 or not np.isfinite(apex).all():
