@@ -122,7 +122,7 @@ def test_gains_of_a_scaled_runner_are_scaled():
 # ---- controllability ---------------------------------------------------------------------------------------
 
 
-def test_controllability_is_told_in_numbers(gaits):
+def test_controllability_is_reported_in_numbers(gaits):
     alone = controllability(gaits[0.6], [ANGLE])
     both = controllability(gaits[0.6], [ANGLE, TORQUE])
     assert (alone.rank, alone.strides) == (3, 3) and (both.rank, both.strides) == (3, 2)

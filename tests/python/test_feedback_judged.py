@@ -32,7 +32,7 @@ def few(monkeypatch):
 
 
 def test_a_runner_with_feedback_stays_up_longer_and_without_as_it_is(gait, few):
-    """Runs at friction 1 are about ten times longer; the sampling error of 48 runners allows a factor of 3."""
+    """Runs at friction 1 are about ten times longer; 48 runners show that up to a factor of 3."""
     law = feedback.laws(gait)["quadratic regulator: angle and torque"]
     noisy = dataclasses.replace(law, noise=feedback.NOISE * gait.runner.scales, seed=1)
     held, alone = (judgement.judge(gait, its, roughness=[0.3], seed=2) for its in (noisy, None))

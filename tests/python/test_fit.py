@@ -56,7 +56,7 @@ def test_the_gait_is_found_from_elsewhere():
     )
 
 
-def test_gaits_that_are_lost_on_the_way_are_told():
+def test_gaits_that_are_lost_on_the_way_are_reported():
     """A precise speed that no gait over this parameter has: chi square is above 1e8."""
     found = fit(None, Measurements(({"speed": Measured(4.0, 1e-4)},), "too fast"), ["hip.touchdown_angle"])
     notes = " ".join(found.notes)
@@ -171,7 +171,7 @@ def test_a_combination_is_poorly_identified_where_its_interval_is_as_wide_as_its
         assert [of.standard_error for of in known.unidentified] == pytest.approx([1.0 / size] * count)
 
 
-def test_a_parameter_at_the_end_of_its_range_is_told():
+def test_a_parameter_at_the_end_of_its_range_is_reported():
     gait = find_gait({"ground.friction": 0.6})
     row = {"peak_force": Measured(0.98 * gait.stride["peak_force"], 0.01), "speed": Measured(1.0, 10.0)}
     found = fit({"leg.thrust": 0.01}, Measurements((row,), "a gait"), ["leg.thrust"])

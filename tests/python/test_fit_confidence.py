@@ -256,7 +256,7 @@ def test_other_starts_find_what_the_first_does_not():
 
 
 @release
-def test_a_profile_that_finds_a_better_fit_begins_anew():
+def test_a_profile_that_finds_a_better_fit_restarts():
     """The first search ends at chi square 11.05; with the friction held at 0.33 it is 8.35."""
     model, runners, names, error, free, each = SCENARIOS["weak"]
     random = np.random.default_rng(0)

@@ -62,7 +62,7 @@ GOAL = Goal(QUANTITY, upper_limits={SUM: (1.0, 9.0)})
 
 
 @pytest.mark.parametrize("begin", [(0.1, 0.1), (0.9, 0.9), (0.2, 0.8), (0.673, 0.409)])
-def test_an_optimum_on_a_curved_border_is_found_and_told_by_both_sides(begin):
+def test_an_optimum_on_a_curved_border_is_found_and_shown_by_both_sides(begin):
     """The function on the border is (x - 0.7)^2 + (0.4 + 0.3 (x - 0.5)^2)/2, with its least at 1.55/2.3."""
     optimum = found(Functions(valley, 2.0), GOAL, begin)
     smallest = 1.55 / 2.3

@@ -122,7 +122,7 @@ def test_the_cheapest_runner_of_all_is_kept_off_the_fold():
     assert further.stride["cost_of_transport"] > best.value
 
 
-def test_a_speed_that_no_gait_has_is_told_with_the_nearest(command):
+def test_a_speed_that_no_gait_has_is_reported_with_the_nearest(command):
     arguments = ["--minimize", "cost_of_transport", "--vary", f"{TORQUE}=0.1:0.3", "--target", "speed=9"]
     status, out, said = command("optimize", *arguments, "--starts", "1", "--json")
     assert status == 1 and "no gait with speed 9" in said and json.loads(out)["nearest"]["speed"] < 9.0

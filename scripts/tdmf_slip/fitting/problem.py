@@ -232,8 +232,10 @@ class Problem:
     def jacobian(self, unknowns: Vector) -> Vector:
         """Jacobian of the residuals; the search goes on from these unknowns."""
         if self._tried is None or not np.array_equal(self._tried[0], unknowns):
+            self._tried = None
             self._residuals(unknowns)
-        assert self._tried is not None
+        if self._tried is None:
+            raise RunError("the fit stops where a row has no gait; other first values lead past it")
         tried = self._tried
         self.restart(unknowns, [apex for apex, _ in tried[1]])
         self._tried, self.words = tried, [stride.word for _, stride in tried[1]]
