@@ -17,7 +17,7 @@ from .gait_problem import BranchProblem
 from .special_points import FOLD, special_points
 
 MAX_STEP = 0.2
-"""Longest step over the scales, where the parameter itself does not change by more."""
+"""Longest step over the scales; a longer way to the next value is tried in one step."""
 MAX_POINTS = 200
 """Largest number of gaits between two values."""
 

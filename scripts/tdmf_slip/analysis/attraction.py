@@ -26,7 +26,7 @@ BOX: Mapping[str, tuple[float, float]] = {
     "leg_length_rate": (-2.0, 2.0),
     "leg_angle_rate": (-4.0, 4.0),
 }
-"""Box of the section, over its scales, from which starts are drawn: one for all gaits, to compare them."""
+"""Box of the section, over its scales, from which starts are drawn. All gaits have the same box."""
 CONFIDENCE = 0.95
 NORMAL_QUANTILE = 1.959963984540054
 """Two-sided quantile of CONFIDENCE."""
@@ -34,7 +34,7 @@ MAX_SAMPLES = 100_000_000
 FARTHEST = 5.0
 """Largest disturbance that is tried, over the scales."""
 COARSE, REFINEMENTS = 500, 2
-"""Tries along the line, and how often the interval between two of them is divided again."""
+"""Number of tries along the line, and of refinements between two of them."""
 EDGE_TOLERANCE = 1e-8
 """Relative tolerance of a step of the tries: a stride errs by less than a hundredth of their distance."""
 DISTURBED: Mapping[str, str] = {
@@ -59,7 +59,7 @@ class Volume:
     unsolved: int = 0
     """Starts at which the solver failed; they count as not settled."""
     coordinates: tuple[str, ...] = COORDINATES
-    """Coordinates of the box that are drawn: in the reduced map two."""
+    """Coordinates of the box that are drawn; the reduced map has two."""
 
     @property
     def share(self) -> float:
@@ -96,7 +96,7 @@ class Volume:
 
 
 def starts_in_box(runner: Runner, seed: int, number: int, count: int) -> NDArray[np.float64]:
-    """Starts of a block, uniform over the box: the number of the block decides what is drawn."""
+    """Starts of a block, uniform over the box, drawn by the seed and the number of the block."""
     source = np.random.default_rng([seed, number])
     low, high = np.array([BOX[name] for name in runner.coordinates]).T
     drawn: NDArray[np.float64] = runner.scales * source.uniform(low, high, size=(count, len(low)))

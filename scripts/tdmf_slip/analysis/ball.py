@@ -38,7 +38,7 @@ SAME = 1e-6
 DIFFERENCE = 1e-5
 """Step of differences, over the scales."""
 ROUNDS = 20
-"""Gaits that are tried, each with the settings that the law gives at the one before."""
+"""Largest number of gaits that are tried, each with the law's settings at the gait before."""
 POINTS = 10_000
 """Points on which a ball is tested."""
 SHELLS = tuple(0.1 * k for k in range(1, 10))
@@ -54,7 +54,7 @@ WIDTHS = ((0.3, 1.5), (0.3, 2.5), (0.7, 1.5))
 MARGIN = 0.75
 """Share of the way from the largest eigenvalue to 1: the norm has to fall below it in a stride."""
 STRIDES = 2
-"""Strides after which the norm is compared: the first may raise it for a start whose height is far off."""
+"""Strides after which the norm is compared. The first may raise it for a start at another height."""
 TOLERANCE = 1e-5
 """Relative tolerance of a step, as of maps and volumes."""
 CHOICES = ("tested", "none")
@@ -92,7 +92,7 @@ def jacobian_under(gait: Gait, law: Law) -> NDArray[np.float64]:
 
 
 def check_attracts(gait: Gait, law: Law | None) -> None:
-    """Refuse a law under which a gait is none, or unstable, so that it attracts nothing."""
+    """Refuse a law that changes the gait, or under which the gait is unstable and attracts nothing."""
     check_is_gait(gait, "gait")
     check_law(law, gait.runner)
     if law is None:
@@ -126,7 +126,7 @@ def _changed(gait: Gait, law: Law) -> dict[str, float]:
 
 
 def stable_gait(runner: RunnerLike, law: Law | None = None) -> Gait:
-    """The gait of a runner that attracts, or the one that a law keeps as it is.
+    """The stable gait of a runner, or the gait that a law leaves unchanged.
 
     Near the apex of an affine law the runner has this gait. Under a function the runner has at the gait the
     settings that the function gives there; a gait with them is searched for in rounds.
@@ -178,7 +178,7 @@ def saves_time(gait: Gait, starts: int) -> bool:
 
 
 def tested_ball(gait: Gait, law: Law | None = None) -> Ball | None:
-    """The largest of some balls in which the norm falls from every point that is tried."""
+    """The largest tried ball in which the norm falls from every test point; None if there is none."""
     if gait.strides > 1 or is_noisy(law):
         return None
     scales = np.asarray(gait.runner.scales)[: len(gait.apex)]
@@ -211,7 +211,7 @@ class _Stride:
         self.apex, self.matrix = np.asarray(gait.apex, dtype=float), matrix
 
     def rate(self, points: NDArray[np.float64]) -> float:
-        """The largest ratio of norms, by stride; infinite where one does not close."""
+        """The largest ratio of norms in a stride; infinite where a stride does not close."""
         starts = self.apex + np.linalg.solve(self.matrix, points.T).T
         run = Batch(self.runner, starts, law=self.law, tolerance=TOLERANCE).run(STRIDES)
         if (run.strides != STRIDES).any():
@@ -222,7 +222,7 @@ class _Stride:
 
 
 def _roots_of_forms(jacobian: NDArray[np.float64]) -> list[NDArray[np.float64]]:
-    """Matrices R with R'R the forms; none where the Jacobian has no such eigenvector."""
+    """Matrices R whose R'R are the forms; empty where the Jacobian has no such eigenvector."""
     from scipy.linalg import solve_discrete_lyapunov  # slow to load
 
     values, right = np.linalg.eig(jacobian)
@@ -258,7 +258,7 @@ def _points(coordinates: int) -> NDArray[np.float64]:
 
 
 def cube_in(matrix: NDArray[np.float64]) -> float:
-    """The largest cube in a ball."""
+    """Half the edge of the largest cube in a ball."""
     corners = np.array(list(itertools.product((-1.0, 1.0), repeat=len(matrix))))
     return 1.0 / float(np.max(np.linalg.norm(corners @ matrix.T, axis=1)))
 

@@ -1,4 +1,4 @@
-"""The region of attraction of a gait over a slice of the apex section: which starts run on, which fall."""
+"""The region of attraction of a gait over a slice of the apex section: starts that run on or fall."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ AXES = ("com_height", "com_speed")
 Axes = Mapping[str, tuple[float, float] | None] | Sequence[str]
 """Two coordinates with their ranges."""
 LEG_LENGTH = COORDINATES.index("leg_length")
-"""Number of the leg's length. Up to it coordinates are positive, and ranges are relative to their values."""
+"""Index of the last positive coordinate; ranges of positive coordinates are relative to their values."""
 NOT_YET = -1
 """Fate of a start that has not been followed."""
 STRIDES = "strides_until_known"
@@ -288,7 +288,7 @@ def _paint(made: Resumed, slice_: Slice, executor: Executor | None, progress: bo
 
 
 def _follow_rows(made: Resumed, slice_: Slice, executor: Executor | None, progress: bool) -> None:
-    """Fill in rows that are missing, by following each of their starts."""
+    """Fill in missing rows by following each of their starts."""
     rows, columns = slice_.shape
     missing = [row for row in range(rows) if (made.data["fate"].values[row] == NOT_YET).any()]
     at_once = 1 if is_noisy(slice_.law) else max(1, STARTS_AT_ONCE // columns)

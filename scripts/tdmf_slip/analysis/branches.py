@@ -51,11 +51,11 @@ class Row(NamedTuple):
     gait: Gait
     """Gait at the value."""
     special: Special | None
-    """Special point at the value; None at a gait that was met."""
+    """Special point at the value; None at a gait of the curve followed."""
 
 
 class Branch(NamedTuple):
-    """Gaits that were met along a parameter, with the special points between them."""
+    """Gaits along a parameter, with the special points between them."""
 
     rows: list[Row]
     """Gaits and special points in the branch's order."""
@@ -141,8 +141,9 @@ def continue_branch(
         Over `point`, in the branch's order: the parameter, all quantities of a gait as in a sweep,
         `unstable`, the number of eigenvalues outside the unit circle, and `special`, empty at most points,
         else `fold`, `period doubling`, `Neimark-Sacker`, `word border` or `unclassified`. `why` says why a
-        point is unclassified, `between` which values it lies, and `before` and `after` are the words where
-        they change. At a word border or an unclassified point the gait is the one just beyond.
+        point is unclassified, and `between` has the values of the gaits on both sides. `before` and `after`
+        are the words where they change. At a word border or an unclassified point the gait is the one just
+        beyond.
 
         Branches of more strides follow in the same table; `branch_number` is the branch of a point. Over
         `branch`: `branch_strides`, after which its gaits repeat themselves, and why it has no earlier and no
@@ -164,7 +165,7 @@ def continue_branch(
     ('end of the range', ['word border', 'word border', 'word border'])
     """
     given, runner = runner, Runner(runner, model=model)
-    # A gait of another model than the one that is asked for is not on the branch.
+    # A gait of another model is not on the branch.
     known = given if isinstance(given, Gait) and given.runner == runner else None
     allowed = "both ends of a range, by the name of one parameter or input"
     ((name, (begin, end)),) = ranges_varied(vary, {1}, allowed, runner.model).items()
@@ -198,7 +199,7 @@ def first_in_range(runner: Runner, name: str, begin: float, end: float) -> Gait:
 
 
 def _nearer(found: Gait, name: str, begin: float) -> Gait:
-    """The gait of the same branch at the first end of the range, if the parameter alone leads there."""
+    """The gait at the first end of the range if the branch leads there; else the gait given."""
     try:
         return next(gaits_over(found.runner, name, [begin], found))
     except RunError:

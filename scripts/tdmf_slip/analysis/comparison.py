@@ -41,7 +41,7 @@ def compare(
     model: str | None = None,
     progress: bool = False,
 ) -> xarray.Dataset:
-    """Match runners in what could confound a comparison.
+    """Match runners in quantities that could confound a comparison.
 
     The first runner is the reference and stays as it is. Of each other runner, the parameters in `vary` are
     changed until its gait has the quantities in `hold` as the reference has them, as by `find_gait`. Where no

@@ -38,7 +38,7 @@ if TYPE_CHECKING:
 DIFFERENCE = 1e-6
 """Difference of points, over the scales, by which the test function is differentiated."""
 PARTS, MAX_STEP = 15.0, 0.3
-"""Longest steps: a range over the first number, and the second number over the scales."""
+"""Least number of steps across a range, and the longest step over the scales."""
 ON_CURVE = 0.02
 """Largest distance, over the ranges, of a special point from a curve that goes through it."""
 MAX_POINTS = 10_000

@@ -90,7 +90,7 @@ class FirstPassage(Falls):
     strides: int
     """Strides that all runners began, including those that end in a fall."""
     stopped: int = 0
-    """Runners that came to stand, so that no further stride closed; they count as censored there."""
+    """Runners that came to stand before the last stride; they count as censored there."""
     unsolved: int = 0
     """Runners at which the solver failed; they count as censored, too."""
 

@@ -20,7 +20,7 @@ from ..numerics.newton import Matrix, Vector
 from ..variables.variable import Given
 
 OPPOSITE = -0.5
-"""Cosine of the angle by which the way from one half of a gait to the other turns where they swap places."""
+"""Cosine of the angle by which the way between the halves of a gait turns where they swap places."""
 ASIDE = 0.25
 """Distance of a solution from the middle between two others, over their distance, that makes it doubtful."""
 COARSE, BORDER_ACCURACY = 1e-8, 1e-11
@@ -32,11 +32,12 @@ DESCRIBED = 16
 
 
 class GaitProblem(Problem):
-    """Gaits over parameters, some with prescribed quantities; unknowns are the apex and the parameters.
+    """Gaits over parameters, with or without prescribed quantities.
 
-    The equations make the last apex the first one, and each quantity as prescribed, all over their scales.
-    With prescribed quantities the scales of the parameters are their values in the runner. Otherwise they
-    are powers of two near these values, because scaling by a power of two is exact.
+    The unknowns are the apex and the parameters. The equations make the last apex the first one, and each
+    quantity as prescribed, all over their scales. With prescribed quantities the scales of the parameters
+    are their values in the runner. Otherwise they are powers of two near these values, because scaling by a
+    power of two is exact.
     """
 
     def __init__(
@@ -116,7 +117,7 @@ class GaitProblem(Problem):
         return residual, by_apex
 
     def gait_at(self, x: Vector) -> Gait:
-        """The gait next to a point where the stride leads back to its apex."""
+        """The gait found from a point near it."""
         return gait_near(self.runner_at(x), self.apex_at(x))
 
     def describe(self, x: Vector) -> tuple[Gait, Matrix]:
@@ -161,7 +162,7 @@ class GaitProblem(Problem):
     def border(
         self, inside: Vector, outside: Vector, word: str, rows: Matrix, across: Vector | None = None
     ) -> tuple[Vector, Vector]:
-        """Solutions on both sides of where a word ends, between one with the word and one with another.
+        """Solutions on both sides of a word border, between one with the word and one with another.
 
         `rows` are a Jacobian from nearby. Over two parameters the solutions are on the plane `across`.
         """
@@ -197,7 +198,7 @@ class GaitProblem(Problem):
         return x
 
     def _closing(self, x: Vector, along: str = "") -> Closing:
-        """Equations at the values of the parameters, kept for the last ones."""
+        """Equations at the values of the parameters; those at the last values are kept."""
         values = x[-len(self.names) :].tobytes()
         if self._closings[0] != values:
             self._closings = values, {}

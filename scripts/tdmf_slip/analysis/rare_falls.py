@@ -47,7 +47,7 @@ from .first_passage import Falls, rough_start
 
 RIDGE, ITERATIONS = 1e-3, 25
 REPLICAS = 12
-"""Independent runs, by whose spread the interval is made."""
+"""Number of independent runs, whose spread gives the interval."""
 BURN_IN = 0.25
 """Share of the strides of a run that is dropped, because weights have not settled yet."""
 AHEAD = 6
@@ -94,7 +94,7 @@ def levels_of(scores: NDArray[np.float64], highest: float, count: int) -> NDArra
 def resampled(
     weights: NDArray[np.float64], level: NDArray[np.intp], keep: int, random: np.random.Generator
 ) -> tuple[NDArray[np.intp], NDArray[np.float64]]:
-    """Walkers that go on, and their weights: equally many at each level that has any."""
+    """Numbers of the walkers that go on, and their weights: equally many at each level with walkers."""
     chosen, shares = [], []
     for number in np.unique(level):
         here = np.flatnonzero(level == number)
@@ -219,7 +219,7 @@ class Walkers:
         return tripped
 
     def learn(self, seed: int) -> tuple[NDArray[np.float64], float]:
-        """Learn the score where falls are common; scores on the runner's own ground, and that of falls."""
+        """Learn the score where falls are common; returns scores on the runner's own ground and of falls."""
         own, roughness = self.roughness, self.roughness
         for attempt in range(TRIES):
             self.roughness = roughness
@@ -261,7 +261,7 @@ class Walkers:
 
 
 def _features(away: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Coordinates, bounded, and their products."""
+    """Bounded coordinates and their products."""
     bounded = np.tanh(away)
     left, right = np.triu_indices(bounded.shape[1])
     return np.concatenate([bounded, bounded[:, left] * bounded[:, right]], axis=1)

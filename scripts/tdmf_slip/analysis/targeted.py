@@ -1,4 +1,4 @@
-"""A gait with a target: of a given speed, step frequency or the like, by varying as many parameters."""
+"""Gaits with prescribed quantities, such as speed and step frequency, found by varying parameters."""
 
 from __future__ import annotations
 
@@ -50,11 +50,11 @@ MET = 1e-10
 LAST_STEPS = 10
 """Steps from the nearest gait towards the target, and from each of the others."""
 MAX_STARTS = 8
-"""Other gaits that a search begins from."""
+"""Largest number of other gaits from which a search begins."""
 DESCENTS = 2
 """Number of the nearest gaits from which the gait nearest to the target is searched for."""
 NO_ACTION = 1e-11
-"""Changes over the scales that are no more than rounding."""
+"""Largest change over the scales that counts as rounding."""
 
 
 class TargetNotMetError(RunError):
@@ -242,7 +242,7 @@ def _checked_vary(vary: object, target: Mapping[str, float], model: Model) -> tu
 
 
 def _check_action(target: GaitProblem, iterate: Iterate) -> None:
-    """Refuse parameters that do not act on the first gait, or not each in a way of its own."""
+    """Refuse parameters without an effect on the first gait, or with the same effect as others."""
     for name, column in zip(target.names, iterate.rows[:, target.count :].T, strict=True):
         if np.max(np.abs(column)) <= NO_ACTION:
             raise InputError(f"vary {name}: has no effect on this gait; allowed: a parameter that has one")

@@ -63,7 +63,7 @@ def trajectory(
     times: ArrayLike,
     derivatives: Sequence[str] = (),
 ) -> xarray.Dataset:
-    """States and outputs along a run of the engine, at given times.
+    """Compute states and outputs along a run of the engine, at given times.
 
     The run begins at an apex and goes through all of the unit's events. It agrees with `simulate`, which runs
     the unit through FMPy, and takes a fraction of its time.
@@ -140,7 +140,7 @@ def trajectory(
 
 
 def _of_own(runner: Runner, apex: object, times: ArrayLike, derivatives: Sequence[str]) -> xarray.Dataset:
-    """A run of a model of one's own, from a point of its section or from its start values."""
+    """A run of a user's model, from a point of its section or from its start values."""
     point = None if apex is None or callable(apex) else checked_apex(np.asarray(apex), runner.coordinates)
     names = _checked_names(derivatives, runner.model)
     if point is None and any(name in runner.coordinates for name in names):

@@ -89,7 +89,7 @@ class Limits:
     begin: float | None = None
     """Value of the only parameter that is reported as the beginning of its range."""
     parts: float = 50.0
-    """No step changes a parameter by more than this part of its range, to first order."""
+    """Least number of steps across the range of a parameter, to first order."""
     first_step: float | None = None
     """Length of the first step, by default a tenth of the longest."""
 
@@ -119,7 +119,7 @@ class Limits:
 
 
 class Problem:
-    """A curve given by equations; subclasses evaluate them and say what happened in words."""
+    """A curve given by equations; subclasses evaluate them and give reasons for its ends."""
 
     scales: Vector
     """Scales of the unknowns, shape (n,)."""
@@ -141,11 +141,11 @@ class Problem:
         raise NotImplementedError
 
     def label(self, known: object) -> object:
-        """Label of what is known at a point; the equations are smooth while it stays."""
+        """Label of a description; the equations are smooth between points of one label."""
         return None
 
     def visited(self, point: Point) -> Sequence[Vector]:
-        """All places that a point stands for: a gait of two strides is met again at its other apex."""
+        """All places of a point. A gait of two strides has one at each of its apexes."""
         return [point.x]
 
     def ends_between(self, before: Point, after: Point) -> str:
@@ -297,7 +297,7 @@ def follow(
 def both_ways(
     problem: Problem, start: Point, limits: Limits, step_finished: Callable[[], object] = lambda: None
 ) -> tuple[list[Point], str, str]:
-    """Follow a curve to both sides of a point; the reasons are why it began and why it ended."""
+    """Follow a curve to both sides of a point; returns the points and the reasons for both ends."""
     points, ended = follow(problem, start, 1.0, limits, step_finished=step_finished)
     if ended.startswith("closed") and points[-1] is start:
         return points, ended, ended
@@ -310,7 +310,7 @@ def both_ways(
 def next_point(
     problem: Problem, last: Point, step: float, longest: float, limits: Limits | None = None
 ) -> tuple[Point, float]:
-    """The next point by a step along the tangent, and how long the next step may be.
+    """The next point by a step along the tangent, and the length to try for the step after it.
 
     A step that leads beyond an edge of the limits is shortened, and its point is on the edge.
     """
@@ -418,7 +418,7 @@ def _on_other_side(problem: Problem, last: Point, step: Vector) -> list[Point]:
 
 
 def _way_to(problem: Problem, corner: Point, found: Point) -> list[Point]:
-    """Points from a corner to one beyond it, by walking back from there; none if it fails.
+    """Points from a corner to one beyond it, found by walking back from there; empty if that fails.
 
     Where an event is just touched the map has a square root: close to it the tangent turns without end.
     """

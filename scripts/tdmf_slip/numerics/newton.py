@@ -101,7 +101,7 @@ def solve(
         if following is not None and (is_exact or is_fast):
             at = following
         elif at.error <= GOOD_ENOUGH:
-            break  # what rounding leaves
+            break  # the residual is rounding
         jacobian, is_exact = jacobian if is_fast and shortenings else None, False
     if not at.error <= GOOD_ENOUGH:
         raise NotSolvedError(at)
