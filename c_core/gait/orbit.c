@@ -14,7 +14,7 @@ void tdmf_section_scales(const tdmf_model *model, double scales[TDMF_SECTION_COU
 }
 
 /* Outcome of a search that ended with a stride that did not close. */
-static tdmf_orbit_outcome why_not(tdmf_return_outcome outcome) {
+static tdmf_orbit_outcome outcome_of_open_stride(tdmf_return_outcome outcome) {
     switch (outcome) {
     case TDMF_RETURN_REFUSED:
     case TDMF_RETURN_NO_START:
@@ -88,7 +88,7 @@ static tdmf_orbit_outcome outcome_of(const tdmf_fixed_point *found, const tdmf_r
     case TDMF_FIXED_POINT_NOT_FOUND:
         return TDMF_ORBIT_NOT_FOUND;
     default:
-        return why_not(stride->outcome);
+        return outcome_of_open_stride(stride->outcome);
     }
 }
 

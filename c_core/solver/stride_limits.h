@@ -10,9 +10,9 @@
 /* Time limit of a stride, in sqrt(m/k). */
 #define TDMF_LONGEST_STRIDE 1e4
 
-/* Step limit of the next of several strides, from the steps left over so far: see TDMF_STEP_LIMIT. */
-static inline double tdmf_steps_of_next_stride(double left_over, double step_limit) {
-    const double steps = left_over + step_limit / TDMF_STEP_SHARE;
+/* Step limit of the next of several strides, from the steps left so far: see TDMF_STEP_LIMIT. */
+static inline double tdmf_steps_of_next_stride(double steps_left, double step_limit) {
+    const double steps = steps_left + step_limit / TDMF_STEP_SHARE;
     return steps < step_limit ? steps : step_limit;
 }
 

@@ -64,7 +64,7 @@ static double clip(const tdmf_range *range, double value) {
 }
 
 /* A value from a whole range; a range that reaches 0 is drawn over fifteen decades below its end. */
-static double anywhere(random_source *source, const tdmf_range *range) {
+static double value_in_range(random_source *source, const tdmf_range *range) {
     const double end = range->maximum;
     const double sign = range->minimum < 0.0 && random_chance(source, 0.5) ? -1.0 : 1.0;
     return sign * random_magnitude(source, range->minimum > 0.0 ? range->minimum : 1e-15 * end, end);
@@ -80,7 +80,7 @@ static double value_of(random_source *source, const tdmf_range *range, double un
         return clip(range, 0.0);
     }
     if (isinf(decades) || random_chance(source, 0.01)) {
-        return anywhere(source, range);
+        return value_in_range(source, range);
     }
     const double sign = random_chance(source, 0.05 * fmin(decades, 4.0)) ? -1.0 : 1.0;
     return clip(range,
@@ -148,7 +148,7 @@ declared_runner declared_random(random_source *source, double decades) {
     for (int i = 0; i < TDMF_PARAMETER_COUNT; ++i) {
         const tdmf_range *range = &tdmf_parameter_ranges[i];
         if (is_scale(range)) {
-            *member_of(&runner.parameters, range) = anywhere(source, range);
+            *member_of(&runner.parameters, range) = value_in_range(source, range);
         }
     }
     for (int i = 0; i < TDMF_PARAMETER_COUNT; ++i) {

@@ -23,7 +23,7 @@ typedef struct {
     tdmf_ensemble_notes notes;
     double nominal, low, high, gain[1][TDMF_POINT_LIMIT];
     tdmf_affine_law law;
-    tdmf_ensemble_case its_case;
+    tdmf_ensemble_case scenario;
     tdmf_ensemble ensemble;
 } hoppers;
 
@@ -64,12 +64,12 @@ static void prepare(hoppers *h) {
                                .high = &h->high,
                                .noise = {0.01},
                                .seed = 3};
-    h->its_case = (tdmf_ensemble_case){
+    h->scenario = (tdmf_ensemble_case){
         .parameters = h->parameters, .states = h->states, .rules = {.max_strides = STRIDES, .law = &h->law}};
     h->ensemble = (tdmf_ensemble){.page = h->page,
                                   .section = h->section,
                                   .notes = &h->notes,
-                                  .cases = &h->its_case,
+                                  .cases = &h->scenario,
                                   .case_count = 1,
                                   .starts = (const double(*)[TDMF_POINT_LIMIT])h->starts,
                                   .count = RUNNERS,
@@ -91,7 +91,7 @@ static int iterate(hoppers *h, int runner, tdmf_page_outcome *last) {
     memcpy(point, h->starts[runner], sizeof point);
     for (int stride = 0; stride < STRIDES; ++stride) {
         memcpy(parameters, h->parameters, sizeof parameters);
-        if (h->its_case.rules.law) {
+        if (h->scenario.rules.law) {
             tdmf_affine_settings(&h->law, point, (uint64_t)runner, (uint32_t)stride, &parameters[h->angle]);
             assert_true(h->strides[runner][stride].set[0] == parameters[h->angle]);
         }
@@ -139,7 +139,7 @@ TEST(runs_of_a_page_are_iterates_of_its_return_map) {
     static hoppers h;
     for (int follows = 0; follows < 2; ++follows) {
         prepare(&h);
-        h.its_case.rules.law = follows ? &h.law : NULL;
+        h.scenario.rules.law = follows ? &h.law : NULL;
         run(&h);
         assert_iterates(&h);
     }
@@ -189,9 +189,9 @@ TEST(numbers_behind_the_coordinates_have_no_effect) {
 TEST(runs_of_a_page_go_on_from_where_they_stand) {
     static hoppers h;
     prepare(&h);
-    h.its_case.rules.max_strides = 2;
+    h.scenario.rules.max_strides = 2;
     run(&h);
-    h.its_case.rules.max_strides = STRIDES;
+    h.scenario.rules.max_strides = STRIDES;
     h.ensemble.goes_on = true;
     run(&h);
     assert_iterates(&h);
@@ -201,10 +201,10 @@ TEST(runs_settle_at_a_fixed_point_of_the_page) {
     static hoppers h;
     prepare(&h);
     double gait[1][TDMF_POINT_LIMIT] = {{h.starts[3][0], h.starts[3][1]}};
-    h.its_case.rules.law = NULL;
-    h.its_case.rules.gaits = (const double(*)[TDMF_POINT_LIMIT])gait;
-    h.its_case.rules.gait_count = 1;
-    h.its_case.rules.distance = 1e9;
+    h.scenario.rules.law = NULL;
+    h.scenario.rules.gaits = (const double(*)[TDMF_POINT_LIMIT])gait;
+    h.scenario.rules.gait_count = 1;
+    h.scenario.rules.distance = 1e9;
     run(&h);
     for (int i = 0; i < RUNNERS; ++i) {
         assert_int_equal(h.ends[i].fate == TDMF_FATE_SETTLED, h.ends[i].strides == 1);
@@ -226,11 +226,11 @@ TEST(requests_that_a_page_cannot_meet_are_refused) {
     REFUSED(h.ensemble.count = INT64_MAX);
     REFUSED(h.ensemble.section = 99);
     REFUSED(h.ensemble.foot_x = foot);
-    REFUSED(h.its_case.parameters = NULL);
-    REFUSED(h.its_case.states = NULL);
-    REFUSED(h.its_case.rules.roughness = 0.1);
-    REFUSED(h.its_case.rules.friction_spread = 0.1);
-    REFUSED(h.its_case.rules.terrain.length = 1.0);
+    REFUSED(h.scenario.parameters = NULL);
+    REFUSED(h.scenario.states = NULL);
+    REFUSED(h.scenario.rules.roughness = 0.1);
+    REFUSED(h.scenario.rules.friction_spread = 0.1);
+    REFUSED(h.scenario.rules.terrain.length = 1.0);
     REFUSED(h.notes.states = NULL);
     REFUSED(h.notes.values = NULL);
     REFUSED(h.notes.events = NULL);

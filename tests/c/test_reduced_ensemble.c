@@ -66,13 +66,13 @@ static tdmf_fate fate_of(tdmf_return_outcome outcome, bool first) {
 }
 
 /* Iterates the map from a start and returns the end of the run. */
-static tdmf_ensemble_end iterate(const tdmf_ensemble_case *its_case, const double start[TDMF_SECTION_COUNT]) {
+static tdmf_ensemble_end iterate(const tdmf_ensemble_case *scenario, const double start[TDMF_SECTION_COUNT]) {
     tdmf_ensemble_end end = {.gait = -1};
     tdmf_solver solver = solver_to(0.1 * tight);
     tdmf_return_outcome outcome = TDMF_RETURN_CLOSED;
     memcpy(end.apex, start, TDMF_SECTION_COUNT * sizeof *start);
     while (outcome == TDMF_RETURN_CLOSED && end.strides < STRIDES) {
-        const tdmf_return stride = reduced_map(&solver, (tdmf_system){its_case->model, &its_case->inputs},
+        const tdmf_return stride = reduced_map(&solver, (tdmf_system){scenario->model, &scenario->inputs},
                                                end.apex, 1e4, false, NULL, 0);
         outcome = stride.outcome;
         if (outcome == TDMF_RETURN_CLOSED) {

@@ -152,11 +152,11 @@ static void assert_same_strides(const tdmf_ensemble_end *end, const tdmf_motion 
 static crowd *gather_before_high_steps(double push) {
     random_source source = {11};
     crowd *crowd = make_crowd(RUNNERS, STRIDES, 1e-11);
-    tdmf_ensemble_case *its_case = share_case(crowd);
-    its_case->rules.seed = seed;
-    its_case->rules.roughness = 0.4;
-    its_case->inputs.body.external_fx = 0.1 * push;
-    its_case->inputs.body.external_fy = push;
+    tdmf_ensemble_case *scenario = share_case(crowd);
+    scenario->rules.seed = seed;
+    scenario->rules.roughness = 0.4;
+    scenario->inputs.body.external_fx = 0.1 * push;
+    scenario->inputs.body.external_fy = push;
     for (int i = 0; i < RUNNERS; ++i) {
         crowd->starts[i][TDMF_SECTION_LEG_ANGLE] = random_uniform(&source, -0.12, 0.75);
         crowd->starts[i][TDMF_SECTION_LEG_ANGLE_RATE] = 0.2;

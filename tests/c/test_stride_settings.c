@@ -30,7 +30,7 @@ static const double at_once_high[SETTINGS] = {0.3, 0.02, 1e-3};
 typedef struct {
     crowd *crowd;
     tdmf_ensemble *ensemble;
-    tdmf_ensemble_case *its_case;
+    tdmf_ensemble_case *scenario;
     bool acts_at_once; /* the given settings act at the apex */
     int settings[SETTINGS];
     tdmf_affine_law law;
@@ -44,9 +44,9 @@ static population *gather(double roughness) {
     population->crowd = make_crowd(RUNNERS, STRIDES, 1e-11);
     note_strides(population->crowd, STRIDES);
     population->ensemble = &population->crowd->ensemble;
-    population->its_case = share_case(population->crowd);
-    population->its_case->rules.roughness = roughness;
-    population->its_case->rules.seed = seed;
+    population->scenario = share_case(population->crowd);
+    population->scenario->rules.roughness = roughness;
+    population->scenario->rules.seed = seed;
     for (int i = 0; i < SETTINGS; ++i) {
         population->settings[i] = tdmf_setting_of(names[i]);
     }
@@ -140,9 +140,9 @@ typedef struct {
 
 /* Runs strides by the native solver, with model and inputs set at each apex. */
 static void stride_by_hand(const population *population, int number, strides_by_hand *by_hand) {
-    const tdmf_ensemble_rules *rules = &population->its_case->rules;
+    const tdmf_ensemble_rules *rules = &population->scenario->rules;
     tdmf_solver solver = solver_to(population->ensemble->relative_tolerance);
-    tdmf_inputs inputs = population->its_case->inputs;
+    tdmf_inputs inputs = population->scenario->inputs;
     tdmf_model model = population->crowd->models[0];
     tdmf_parameters parameters = model.parameters;
     tdmf_motion motion = {.time = 0.0};
@@ -182,11 +182,11 @@ static void stride_by_hand(const population *population, int number, strides_by_
 
 static void assert_strides_by_hand(const population *population, int number, const strides_by_hand *by_hand) {
     const tdmf_ensemble_end *end = &population->crowd->ends[number];
-    const bool all = by_hand->closed == population->its_case->rules.max_strides;
+    const bool all = by_hand->closed == population->scenario->rules.max_strides;
     for (int stride = 0; stride < by_hand->begun; ++stride) {
         const tdmf_ensemble_stride *recorded = noted(population, number, stride);
         assert_close(recorded->ground_height, by_hand->heights[stride], 1e-12);
-        for (int i = 0; i < SETTINGS && population->its_case->rules.law; ++i) {
+        for (int i = 0; i < SETTINGS && population->scenario->rules.law; ++i) {
             assert_close(recorded->set[i], by_hand->values[stride][i], 1e-7);
         }
         if (stride < by_hand->closed) {
@@ -206,7 +206,7 @@ static void run_in_all_lanes(population *population) {
         stride_by_hand(population, i, &by_hand[i]);
         closed += by_hand[i].closed;
     }
-    assert_true(closed > RUNNERS * population->its_case->rules.max_strides / 2);
+    assert_true(closed > RUNNERS * population->scenario->rules.max_strides / 2);
     for (int set = 0; set < count; ++set) {
         run_crowd(population->crowd, sets[set]);
         for (int i = 0; i < RUNNERS; ++i) {
@@ -250,7 +250,7 @@ TEST(a_force_that_is_largest_at_touchdown_is_noted) {
     parameters.leg.damping = 2.0;
     population->crowd->models[0] = accepted_model(&parameters);
     population->ensemble->given = &population->given;
-    population->its_case->rules.max_strides = 1;
+    population->scenario->rules.max_strides = 1;
     for (int i = 0; i < RUNNERS; ++i) {
         population->values[i][0][2] = 10.0; /* the friction */
     }
@@ -259,14 +259,14 @@ TEST(a_force_that_is_largest_at_touchdown_is_noted) {
 
 TEST(the_law_sees_the_height_above_the_ground_before_it_steps) {
     population *population = gather(0.1);
-    population->its_case->rules.law = &population->law;
+    population->scenario->rules.law = &population->law;
     run_in_all_lanes(population);
 }
 
 TEST(no_setting_is_beyond_its_limits_and_some_are_at_them) {
     population *population = gather(0.1);
     int inside = 0, lowest = 0, highest = 0;
-    population->its_case->rules.law = &population->law;
+    population->scenario->rules.law = &population->law;
     run_crowd(population->crowd, population->ensemble->instructions);
     for (int i = 0; i < RUNNERS; ++i) {
         for (int stride = 0; stride < population->crowd->ends[i].strides; ++stride) {
@@ -291,8 +291,8 @@ TEST(strides_depend_on_neither_threads_nor_neighbours) {
     population *all = gather(0.1), *part = gather(0.1);
     tdmf_instructions sets[TDMF_INSTRUCTIONS_COUNT];
     const int count = list_instructions(sets);
-    all->its_case->rules.law = &all->law;
-    part->its_case->rules.law = &part->law;
+    all->scenario->rules.law = &all->law;
+    part->scenario->rules.law = &part->law;
     part->ensemble->threads = 2;
     part->ensemble->first_number = FIRST;
     part->ensemble->starts += FIRST;
@@ -312,7 +312,7 @@ static void assert_going_on_is_the_same(population *whole, population *parts) {
     for (int set = 0; set < count; ++set) {
         run_crowd(whole->crowd, sets[set]);
         for (int stride = 0; stride < STRIDES; ++stride) {
-            parts->its_case->rules.max_strides = stride + 1;
+            parts->scenario->rules.max_strides = stride + 1;
             parts->ensemble->goes_on = stride > 0;
             run_crowd(parts->crowd, sets[set]);
         }
@@ -324,8 +324,8 @@ static void assert_going_on_is_the_same(population *whole, population *parts) {
 
 TEST(going_on_stride_by_stride_is_the_same_as_in_one_call) {
     population *whole = gather(0.1), *parts = gather(0.1);
-    whole->its_case->rules.law = &whole->law;
-    parts->its_case->rules.law = &parts->law;
+    whole->scenario->rules.law = &whole->law;
+    parts->scenario->rules.law = &parts->law;
     assert_going_on_is_the_same(whole, parts);
 }
 
@@ -335,7 +335,7 @@ TEST(on_a_terrain_too) {
     population *both[2] = {gather(0.1), gather(0.1)};
     for (int trips = 0; trips < 2; ++trips) {
         for (int i = 0; i < 2; ++i) {
-            tdmf_ensemble_rules *rules = &both[i]->its_case->rules;
+            tdmf_ensemble_rules *rules = &both[i]->scenario->rules;
             const tdmf_terrain drawn = {.length = 3.0}, given = {20.0, walls, sizeof walls / sizeof walls[0]};
             rules->terrain = trips ? given : drawn;
             rules->roughness = trips ? 0.0 : 0.1;
@@ -354,7 +354,7 @@ TEST(on_a_terrain_too) {
  * Returns the strides that closed. */
 static int stride_by_reduced_map(const population *population, int number) {
     tdmf_solver solver = tdmf_solver_default();
-    tdmf_inputs inputs = population->its_case->inputs;
+    tdmf_inputs inputs = population->scenario->inputs;
     tdmf_model model = population->crowd->models[0];
     double apex[TDMF_REDUCED_COUNT] = {population->crowd->starts[number][0],
                                        population->crowd->starts[number][1]};
@@ -460,7 +460,7 @@ TEST(refuses_laws_that_are_none) {
     population *population = gather(0.0);
     tdmf_affine_law law = population->law;
     double numbers[SETTINGS], gains[SETTINGS][TDMF_POINT_LIMIT];
-    population->its_case->rules.law = &law;
+    population->scenario->rules.law = &law;
     run_crowd(population->crowd, population->ensemble->instructions);
     for (size_t i = 0; i < sizeof none / sizeof none[0]; ++i) {
         memcpy(numbers, nominal, sizeof numbers);
@@ -508,16 +508,16 @@ TEST(refuses_settings_that_are_none) {
     assert_crowd_is_refused(population->crowd);
     population->values[3][2][0] = angle;
     run_crowd(population->crowd, population->ensemble->instructions);
-    population->its_case->rules.law = &population->law; /* the law sets the same settings */
+    population->scenario->rules.law = &population->law; /* the law sets the same settings */
     assert_crowd_is_refused(population->crowd);
-    population->its_case->rules.law = NULL;
+    population->scenario->rules.law = NULL;
     population->ensemble->goes_on = true;
     population->ensemble->checkpoints = NULL; /* no run to go on from */
     assert_crowd_is_refused(population->crowd);
     population->ensemble->goes_on = false;
     population->settings[2] = tdmf_setting_of("ground.height");
     run_crowd(population->crowd, population->ensemble->instructions);
-    population->its_case->rules.roughness = 0.1;
+    population->scenario->rules.roughness = 0.1;
     assert_crowd_is_refused(population->crowd);
 }
 
@@ -525,7 +525,7 @@ TEST(the_reduced_map_measures_height_and_speed_alone) {
     population *population = gather(0.0);
     double gains[SETTINGS][TDMF_POINT_LIMIT] = {{0.0}};
     population->ensemble->map = TDMF_REDUCED_MAP;
-    population->its_case->rules.law = &population->law;
+    population->scenario->rules.law = &population->law;
     population->law.gain = (const double(*)[TDMF_POINT_LIMIT])gains;
     memset(&population->law.noise[2], 0, 4 * sizeof *population->law.noise);
     gains[0][1] = 0.1;

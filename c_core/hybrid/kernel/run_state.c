@@ -43,14 +43,14 @@ static bool has_event(uint64_t events, int event) {
 
 /* Guards of large numbers that are zero are rounded to more than their margins, and events may be due in
  * turns. Links of a longer chain double the band in which such an event may be late, until the chain ends. */
-static const int longest_usual_chain = 16;
+static const int common_chain_limit = 16;
 
 void tdmf_begin_mode(const run_state *state, mode_start *at) {
     const tdmf_page_run *r = state->r;
     const tdmf_model_kind *model = state->model;
     const tdmf_mode_kind *mode = &model->modes[r->mode];
     const bool in_turns = (r->taken & (r->taken - 1)) != 0;
-    const int longer = in_turns && r->chain > longest_usual_chain ? r->chain - longest_usual_chain : 0;
+    const int longer = in_turns && r->chain > common_chain_limit ? r->chain - common_chain_limit : 0;
     const double wider = longer > 0 ? ldexp(1.0, longer) : 1.0;
     at->begins = true;
     mode->open(r->p, r->x, at->c);
