@@ -7,8 +7,9 @@ import pytest
 from conftest import RELEASE, release
 from tdmf_slip import InputError, find_gait, fit
 from tdmf_slip.fitting.measurements import Measured, Measurements
+from tdmf_slip.fitting.problem import Problem
 from tdmf_slip.fitting.result import QUANTILE
-from tdmf_slip.fitting.search import HUBER, loss_of, weights_of
+from tdmf_slip.fitting.search import HUBER, across_folds, loss_of, weights_of
 from test_fit import MEASURED, measured
 
 SEEDS, MINIMUM, MAXIMUM = (400, 0.92, 0.98) if RELEASE else (20, 0.80, 1.0)
@@ -97,6 +98,16 @@ def test_an_interval_that_the_data_do_not_close_ends_at_the_range():
     estimate = fit({"leg.thrust": 0.02}, one_row(row), ["leg.thrust"]).parameters["leg.thrust"]
     assert estimate.low == 0.0 and "range" in estimate.ends_at
     assert estimate.high > 0.03
+
+
+def test_a_search_across_folds_that_begins_with_a_fall_finds_nothing():
+    gait = find_gait()
+    names = ("speed", "peak_force")
+    data = one_row(measured(gait, names, 0.01))
+    request = fit(None, data, ["hip.touchdown_angle"], profile=False).request
+    problem = Problem(request, gait)
+    assert across_folds(problem, np.array([12.0]), 0) is None
+    assert across_folds(problem, np.array([0.1]), 0) is not None
 
 
 def test_the_command_takes_what_is_known_and_leaves_data_out(tmp_path, command):

@@ -48,7 +48,7 @@ class Linearization:
     """Linearized return map by the apex and by settings; both matrices are over the scales."""
 
     gait: Gait
-    """The gait."""
+    """Gait about which the map is linearized."""
     inputs: tuple[str, ...]
     """Names of the settings that are chosen at each apex, of `CHOSEN`."""
     nominal: NDArray[np.float64]
@@ -157,7 +157,7 @@ class Modes:
 
 
 def lasting_modes(model: Linearization, negligible: float = NEGLIGIBLE) -> Modes:
-    """The modes that are to be moved, over a basis that does not depend on rounding.
+    """Modes that a feedback has to move, over a basis that does not depend on rounding.
 
     Schur vectors are unique up to signs or rotations, which rounding may change. A QR decomposition with
     pivots of their transpose takes these away: its triangular factor is unique up to signs.
@@ -188,7 +188,7 @@ class Controllability:
     """Effect of settings on the modes of a gait; all numbers are over the scales."""
 
     runner: Runner
-    """The gait's runner."""
+    """Runner of the gait."""
     inputs: tuple[str, ...]
     """Settings that are chosen at each apex."""
     eigenvalues: NDArray[Any]

@@ -381,7 +381,7 @@ def _listed(values: NDArray[Any]) -> str:
 
 
 def _weight(name: str, given: ArrayLike, count: int, minimum: float) -> NDArray[np.float64]:
-    """A weight as a symmetric matrix."""
+    """Weight as a symmetric matrix."""
     allowed = (
         f"a number, {count} of them, or a symmetric matrix of {count} by {count}, "
         f"{'none negative' if minimum == 0.0 else 'positive'}"

@@ -104,7 +104,7 @@ class Judgement:
     """Robustness of a gait and its law, measured by many runs."""
 
     gait: Gait
-    """The gait."""
+    """Gait that was tested."""
     law: Law | None
     """Law that holds the gait; None for the runner as it is."""
     volume: Volume

@@ -56,7 +56,7 @@ class Request:
     """Data, parameters and options of a fit."""
 
     measurements: Measurements
-    """The data."""
+    """Measured rows."""
     shared: tuple[str, ...]
     """Fitted parameters that all rows share."""
     each: tuple[str, ...]
@@ -88,11 +88,11 @@ class Request:
 
 
 PriorGiven: TypeAlias = "tuple[Given, float] | Sequence[float]"
-"""A value, also a text with its unit, and its standard error in the unit's unit."""
+"""Value, also as a text with its unit, and its standard error in the unit's unit."""
 
 
 def checked_priors(given: object, each: Sequence[str], model: Model) -> tuple[Prior, ...]:
-    """The priors of a fit."""
+    """Priors of a fit from its argument, which is checked here."""
     priors, allowed = [], "pairs of value and standard error by name"
     for name, pair in by_full_name(given, "priors", allowed, model.aliases).items():
         check_varied(name, "priors", model)
@@ -140,7 +140,7 @@ class Problem:
     def __init__(
         self, request: Request, first: Gait, strides_made: Callable[[int], object] = lambda count: None
     ) -> None:
-        """All rows begin with the first gait."""
+        """Begin all rows with the first gait."""
         self.request, self.runner, self.rows = request, first.runner, request.measurements.rows
         self.robust, self.parameters = request.robust, request.parameters
         self.vary, shared, count = (*request.shared, *request.each), len(request.shared), len(self.rows)
@@ -196,7 +196,7 @@ class Problem:
         return values
 
     def runner_of(self, values: Vector, row: int) -> Runner:
-        """The runner of a row."""
+        """Runner of a row."""
         own = map(float, values[self.columns[row]])
         return self.runner.replace(dict(zip(self.vary, own, strict=True)))
 

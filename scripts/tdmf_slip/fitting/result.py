@@ -46,11 +46,11 @@ class Combination:
 
     @property
     def name(self) -> str:
-        """The changes in words, as in `hip.stance_torque +0.2, control.stance_torque -0.2`."""
+        """Changes in words, as in `hip.stance_torque +0.2, control.stance_torque -0.2`."""
         return ", ".join(f"{label} {change:+.4g}" for label, change in self.changes.items())
 
     def as_json(self) -> dict[str, object]:
-        """The combination as a plain object."""
+        """Combination as a plain object."""
         return {
             "combination": self.name,
             "changes": dict(self.changes),
@@ -153,7 +153,7 @@ class Estimate:
     label: str
     """Name of the parameter, with the number of its row, from 1, where each row has its own."""
     name: str
-    """The parameter's own name."""
+    """Name of the parameter without a row."""
     value: float
     """Estimate in the unit's unit, like all values below."""
     standard_error: float
@@ -170,7 +170,7 @@ class Estimate:
 
 @dataclass(frozen=True)
 class Residual:
-    """A measured quantity beside the fitted one."""
+    """Measured quantity beside the fitted one."""
 
     row: int
     """Number of the condition, from 1."""
@@ -191,7 +191,7 @@ class Residual:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Fit:
-    """A runner fitted to measured gaits; `plot` draws the data, the fit and the residuals."""
+    """Runner fitted to measured gaits; `plot` draws the data, the fit and the residuals."""
 
     request: Request = field(repr=False)
     """Data, parameters and options of the fit."""
@@ -241,7 +241,7 @@ class Fit:
 
     @property
     def chi_square(self) -> float:
-        """The sum of the squares of the residuals over their errors, those of priors among them."""
+        """Sum of the squared residuals of data and priors, each over its error."""
         return float(sum(of.residual**2 for of in (*self.residuals, *self.priors)))
 
     @property
@@ -251,7 +251,7 @@ class Fit:
 
     @cached_property
     def gaits(self) -> tuple[Gait, ...]:
-        """The fitted gaits, one for each row."""
+        """Fitted gaits, one for each row."""
         return tuple(
             strides_from(runner, apex) for runner, apex in zip(self.runners, self.apexes, strict=True)
         )

@@ -49,7 +49,7 @@ class Ended:
     """End of a search."""
 
     at: Vector
-    """The unknowns."""
+    """Unknowns, shape (p,)."""
     residuals: Vector
     """Residuals at the unknowns."""
     loss: float
@@ -120,7 +120,7 @@ def searched(problem: Problem, begin: Vector, fixed: int | None = None, change: 
 
 
 def loss_of(residuals: Vector, robust: bool) -> float:
-    """The sum of squares or, robustly, of Huber's loss."""
+    """Sum of squares, or of Huber's loss."""
     size = np.abs(residuals)
     return float(np.sum(np.where(robust & (size > HUBER), 2.0 * HUBER * size - HUBER**2, size**2)))
 
@@ -263,7 +263,7 @@ class Across:
         self.begin = np.append(unknowns, np.zeros(self._first.size))
 
     def split(self, at: Vector) -> tuple[Vector, Vector]:
-        """The problem's unknowns, and the apexes of the strides, shape (rows, n)."""
+        """Unknowns of the problem, and apices of the strides, shape (rows, n)."""
         unknowns, moved = np.split(at, [len(self.problem.parameters)])
         return unknowns, self._first + FIRST_STEP * self._scales * moved.reshape(self._first.shape)
 
@@ -320,6 +320,8 @@ def across_folds(problem: Problem, unknowns: Vector, fixed: int | None = None) -
     first, free = across.begin, np.arange(len(across.begin)) != fixed
     bounds = np.tile([[-np.inf], [np.inf]], len(first))
     bounds[:, : len(unknowns)] = problem.bounds
+    if not np.isfinite(across.residuals(first)).all():
+        return None
 
     def at(freed: Vector) -> Vector:
         there = first.copy()

@@ -81,12 +81,12 @@ class Space:
 
     @property
     def low(self) -> NDArray[np.float64]:
-        """The lower bounds, shape (d,)."""
+        """Lower bounds, shape (d,)."""
         return np.array([low for low, _ in self.bounds.values()])
 
     @property
     def high(self) -> NDArray[np.float64]:
-        """The upper bounds, shape (d,)."""
+        """Upper bounds, shape (d,)."""
         return np.array([high for _, high in self.bounds.values()])
 
     @property
@@ -197,7 +197,7 @@ class Candidate:
     at: NDArray[np.float64]
     """Parameters, scaled by their bounds, from 0 to 1, shape (d,)."""
     gait: Gait
-    """The gait."""
+    """Gait at these parameters."""
     apex_slopes: NDArray[np.float64]
     """Derivatives of the apex by the parameters, shape (n, d)."""
     values: NDArray[np.float64]

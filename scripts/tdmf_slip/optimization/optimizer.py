@@ -260,7 +260,7 @@ class Optimizer:
         return self._gaits(goal).candidate(self.first)
 
     def best(self, goal: Goal, bar: Bar, starts: Sequence[Gait] = ()) -> Optimum:
-        """The best gait of all searches that meets the constraints."""
+        """Best gait of all searches that meets the constraints."""
         problem = Problem(goal, self.scales(goal))
         found, begun, trouble = [], starts or self.starts(problem), ""
         for start in begun:

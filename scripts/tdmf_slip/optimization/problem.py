@@ -39,7 +39,7 @@ ACCURACY = 1e-12
 
 @dataclass(frozen=True, eq=False)
 class Goal:
-    """An objective and constraints by names of quantities, in SI units."""
+    """Objective and constraints by names of quantities, in SI units."""
 
     objective: str
     """Name of the quantity that is minimized or maximized."""
@@ -66,14 +66,14 @@ class Goal:
 
 
 class Problem:
-    """A goal as functions of a gait."""
+    """Goal as functions of a gait."""
 
     def __init__(self, goal: Goal, scales: Mapping[str, float]) -> None:
         """Keep the goal, and the scales of its quantities."""
         self.goal, self.scales = goal, scales
 
     def objective(self, gait: Candidate) -> tuple[float, NDArray[np.float64]]:
-        """The objective, to be minimized, and its gradient."""
+        """Objective with the sign for minimization, and its gradient."""
         name, sign = self.goal.objective, self.goal.sign
         row, scale = self.goal.names.index(name), sign / self.scales[name]
         return scale * float(gait.values[row]), scale * gait.slopes[row]
