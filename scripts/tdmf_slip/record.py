@@ -90,7 +90,7 @@ class Search(Protocol[Given, Found_co]):
 def in_dataset(
     convert: Callable[[Found], "xarray.Dataset"],
 ) -> Callable[[Callable[Given, Found]], Search[Given, Found]]:
-    """Have a function return its result as a dataset; its attribute `plain` is the function as written."""
+    """Make a function return its result as a dataset; its attribute `plain` is the function as written."""
 
     def decorate(search: Callable[Given, Found]) -> Search[Given, Found]:
         @functools.wraps(search)

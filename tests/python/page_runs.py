@@ -329,7 +329,7 @@ class PageRun:
         self.outcome = None
 
     def vary_table(self, number, direction):
-        """Have a table vary with the first seed."""
+        """Vary a table with the first seed."""
         self.varied_table = direction
         self.table_structs[number].d_rows = numbers(direction)
 
@@ -368,7 +368,7 @@ class PageRun:
         return ffi.string(text).decode()
 
     def sample_at(self, times):
-        """Have the run sample its outputs at some times. Returns arrays by time and output, for their values,
+        """Sample the outputs at some times of the run. Returns arrays by time and output, for their values,
         and by time, seed and output, for their variations."""
         times, count = np.array(times, dtype=float), len(self.of.outputs)
         self.sampled = times, np.zeros((len(times), count)), np.zeros((len(times), len(self.seeds), count))

@@ -99,7 +99,7 @@ def test_a_function_that_destabilizes_the_gait_is_refused(gait):
 
 
 def test_the_viable_controller_is_tested_for_falls():
-    """Its falls are those of steps in place with what it sets, one after the other."""
+    """Runners fall as they do if the controller's settings are given to steps in place, one by one."""
     runner, gait = {"ground.friction": 0.6}, find_gait(friction=0.6)
     found = tdmf_slip.viability(
         runner,

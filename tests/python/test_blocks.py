@@ -170,7 +170,7 @@ def work(number):
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_a_block_that_fails_is_said_after_what_is_ready(executors, kind):
-    """And nothing that waits is begun after it."""
+    """Waiting blocks are not begun after a failure."""
     results = {}
     with pytest.raises(ValueError, match="three"), run_blocks(work, range(500), executors(kind)) as found:
         results.update(found)
@@ -274,7 +274,7 @@ def test_an_executor_that_ends_is_said(kind, said):
 
 
 def test_a_script_needs_no_guard(tmp_path):
-    """Nor does it start a process or open a port."""
+    """A script starts no process and opens no port."""
     script = tmp_path / "script.py"
     script.write_text(
         "import socket, subprocess, sys\n"
@@ -289,7 +289,7 @@ def test_a_script_needs_no_guard(tmp_path):
 
 
 def test_each_instance_keeps_its_own_messages(fmu):
-    """Also an older instance, when a newer one has been freed."""
+    """An older instance keeps its messages when a newer one has been freed."""
     with opened(fmu, "cs") as older:
         with opened(fmu, "cs") as newer:
             pass
@@ -407,7 +407,7 @@ def interrupted(program, folder, *arguments):
     ],
 )
 def test_an_interrupt_ends_a_grid_and_leaves_whole_rows(functions, left, tmp_path):
-    """While threads start, compute, or a row is written."""
+    """The interrupt comes while threads start or compute, or while a row is written."""
     folder = tmp_path / "folder"
     folder.mkdir()
     grid = ("sweep", "--friction", "0.5:0.6:2", "--vary", "leg.damping=0.1:0.3:500", "--output", "grid.nc")

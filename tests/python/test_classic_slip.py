@@ -191,7 +191,7 @@ def test_random_steps_are_those_of_another_solver():
 
 @pytest.mark.parametrize("early", [False, True])
 def test_derivatives_are_those_of_differences(early):
-    """They are exact where the leg leaves the friction cone, too."""
+    """Derivatives are exact, even where the leg leaves the friction cone."""
     given = {
         "touchdown_angle": 0.65,
         "slope": 0.03,

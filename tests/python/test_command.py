@@ -207,7 +207,7 @@ def test_without_stderr_results_are_as_with_it():
 @pytest.mark.skipif(sys.platform == "win32", reason="the interrupt is a POSIX signal")
 @pytest.mark.parametrize("pause", [0.0, 0.4])
 def test_an_interrupt_ends_a_run(pause):
-    """While modules load, and in a run through FMPy, whose solver calls Python and loses what that raises."""
+    """The interrupt comes while modules load, or in FMPy, whose solver loses exceptions of its callbacks."""
     program = """
 import sys
 from tdmf_slip.__main__ import main
@@ -239,7 +239,7 @@ def test_values_of_an_enumeration_have_names(command):
 
 
 def test_a_run_of_many_strides_is_not_refused(command):
-    """It ends long before the time that so many strides might take."""
+    """The fall ends the run long before the time that so many strides might take."""
     options = ("--strides", 3000, "--set", "hip.stance_torque=0", "--json")
     status, out, _ = command("simulate", *options)
     assert status == 0 and json.loads(out)["fallen"]

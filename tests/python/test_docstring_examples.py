@@ -18,7 +18,7 @@ FUNCTIONS = {
 WITH_EXAMPLE = {name for name, thing in FUNCTIONS.items() if ">>>" in (inspect.getdoc(thing) or "")}
 OPTIONS = doctest.ELLIPSIS | doctest.NORMALIZE_WHITESPACE
 SLOW = {"continue_curves", "prove", "prove_attraction", "prove_border", "rare_falls", "validate"}
-"""They take seconds or a minute; `scripts/test --release` runs them."""
+"""Functions whose examples take seconds or a minute; `scripts/test --release` runs them."""
 
 
 def test_every_function_has_an_example():

@@ -71,7 +71,7 @@ def test_a_notebook_runs_from_an_empty_folder_with_the_wheel_alone(
 
 
 def outputs(site, page):
-    """What the page shows as printed."""
+    """Outputs that the page shows."""
     text = (site / "guides" / f"{page}.html").read_text(encoding="utf-8")
     found = re.findall(r'<div class="output stream[^"]*">.*?<pre>(.*?)</pre>', text, re.DOTALL)
     return [html.unescape(re.sub(r"<[^>]+>", "", one)).strip() for one in found]

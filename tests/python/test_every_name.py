@@ -13,7 +13,7 @@ NOTHING_MOVES = {"ground.height", "ground.stribeck_velocity", "ground.patch_fric
 
 
 BORDERS = {"ground.patch_begin", "ground.patch_end"}
-"""They make a patch, which is at a place that no apex tells: whatever rests on the return map refuses it."""
+"""Ends of a patch. An apex does not know where it is, so the return map refuses a patch."""
 NAMES = [name for name in VARIED if name not in BORDERS]
 
 

@@ -108,7 +108,7 @@ def test_the_wheel_rolls_by_its_closed_form_map(wheel, given):
 
 @pytest.mark.parametrize("share", [0.999999, 1.000001])
 def test_a_wheel_that_is_too_slow_rocks_until_it_stands(wheel, share):
-    """It comes over the top if thetadot^2 > 2 g/l (1 - cos(s - a)) where the vault begins."""
+    """The wheel passes the top if thetadot^2 > 2 g/l (1 - cos(s - a)) where the vault begins."""
     slope, half = 0.01, np.radians(15)
     enough = np.sqrt(2 * 9.81 * (1 - np.cos(slope - half)))
     run = wheel.start(slope=slope, angle=slope - half, rate=share * enough, **TIGHT).to(60.0)
@@ -338,7 +338,7 @@ def test_own_laws_act_as_in_an_independent_program(request, name, point, stride)
 
 
 def test_raibert_s_law_forgets_a_wrong_speed_sooner_than_the_papers_fixed_angle(clocked, pd_runner):
-    """Without gains in stance the gait is the published one."""
+    """The gait without gains in stance is the published one."""
     at = clocked.section("at_apex", friction=0.6, **TIGHT)
     at.fixed_point(CLOCKED_APEX)
     largest = np.abs(np.linalg.eigvals(at.jacobian)).max()

@@ -1,4 +1,4 @@
-"""Without what the extras bring, the rest works, and what does not says in one sentence what to install."""
+"""Missing extras: other features work, and those that need one say in one sentence what to install."""
 
 import json
 import subprocess
@@ -130,7 +130,7 @@ def test_commands_need_no_extra(tmp_path):
 
 
 def test_every_command_helps_without_any_extra(tmp_path):
-    """Also those that can do nothing without one."""
+    """Commands that need an extra print their help without it, too."""
     others = ("animate", "bench", "compare", "figures", "fit", "prove", "rough", "validate")
     helps = dict.fromkeys((*COMMANDS, *others), ("--help",))
     done = run_without(PARTS, ALL_COMMANDS, str(tmp_path), json.dumps(helps))

@@ -40,7 +40,7 @@ def test_friction_that_falls_at_once_is_static_and_sliding_friction(friction, ra
 
 
 def test_a_slip_that_begins_just_before_lift_off_leaves_the_layer_late():
-    """Its distance goes to 0 as v ln(1/v) too, with one factor where it never leaves and a larger one below.
+    """The distance goes to 0 as v ln(1/v), with a larger factor where the slip leaves the layer.
 
     The slip begins 4.6e-4 before the force is gone: as this falls as a t, a slip grows by itself while
     mu (rho - 1) a t^2 / (m_f v) is some 10, so for v above 1e-7 it is in the layer until the end.

@@ -47,7 +47,7 @@ def test_a_foot_that_swings_above_the_body_is_in_the_picture(command, tmp_path):
 
 
 def test_what_the_papers_text_tells_is_marked_on_the_curves_or_off_them():
-    """Off them: its cost of transport at friction 0.5, and the friction that it needs at the impact."""
+    """Two statements are off the curves: cost of transport at friction 0.5, and friction at the impact."""
     results = catalogue.results()
     results.gaits = gaits = swept(results.runner, [10.0, 1.2, 0.6, 0.5])
     results.equal = []

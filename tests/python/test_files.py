@@ -210,7 +210,7 @@ def test_an_interrupt_waits_until_a_dataset_is_written(tmp_path, monkeypatch):
 
 @POSIX_ONLY
 def test_a_file_is_on_the_disk_before_it_has_its_name(monkeypatch, tmp_path):
-    """And the name before it counts as written."""
+    """The folder is flushed after the renaming, before the file counts as written."""
     happened = []
     flushed, replaced = os.fsync, os.replace
 
@@ -232,7 +232,7 @@ def test_a_file_is_on_the_disk_before_it_has_its_name(monkeypatch, tmp_path):
 
 @POSIX_ONLY
 def test_the_mask_of_the_process_is_left_alone(monkeypatch, tmp_path):
-    """It is that of all threads, which may be making files, too."""
+    """All threads share the mask, and others may be making files."""
     monkeypatch.setattr(os, "umask", lambda mask: pytest.fail("the mask was changed"))
     for mode in (None, 0o600):  # until a file is replaced its successor is nobody else's
         with whole.whole(tmp_path / "new.csv") as beside:

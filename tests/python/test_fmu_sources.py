@@ -75,7 +75,7 @@ def test_ten_strides(compiled, interface):
 
 
 def test_cvode_is_refused_in_words(compiled):
-    """In a process of its own, where the unit's message goes to FMPy's own logger."""
+    """The run has its own process, where the unit's message goes to FMPy's own logger."""
     program = "import fmpy, sys; fmpy.simulate_fmu(sys.argv[1], fmi_type='CoSimulation', stop_time=1.0, "
     program += f"debug_logging=True, start_values={{{SOLVER!r}: 2}})"
     done = subprocess.run([sys.executable, "-c", program, compiled], capture_output=True, text=True)

@@ -259,7 +259,7 @@ def test_a_grid_over_a_mass(runner):
 
 
 def test_what_was_not_asked_for_is_absent(runner):
-    """Not zero: a derivative of zero would be a result."""
+    """Derivatives that were not asked for are None, because zero would be a result."""
     plain, along = find_gait(runner), periodic_gait(runner, along="leg.damping")
     assert plain.along is None and plain.by_parameter is None
     assert along.along == "leg.damping"

@@ -57,7 +57,7 @@ def test_downhill_the_branch_turns_where_the_foot_begins_to_rest(data):
 
 
 def test_the_unstable_gait_parts_runners_that_settle_from_runners_that_run_away(downhill):
-    """They start along its one unstable direction, on the slower and on the faster side."""
+    """Runners start along the one unstable direction, on the slower and on the faster side."""
     slow, fast = tdmf_slip.find_gait(downhill), gait_near(downhill, FAST)
     assert (slow.word, slow.stable, fast.word, fast.unstable) == ("+-", True, "+", 1)
     values, vectors = np.linalg.eig(fast.jacobian)
@@ -72,7 +72,7 @@ def test_the_unstable_gait_parts_runners_that_settle_from_runners_that_run_away(
 
 
 def test_below_the_fold_no_gait_is_left_and_the_runner_runs_away(data, downhill):
-    """And above it, from the same start, it settles."""
+    """A runner above the fold, from the same start, settles."""
     its = branch_of(data, DOWNHILL, 1.5)
     fold = its["stribeck_velocity"].min()
     near = runner_of(downhill, DOWNHILL, 1.5, 1.2 * fold)

@@ -160,7 +160,7 @@ def test_the_controller_s_angle_follows_from_no_input_but_by_a_step(system, tmp_
 
 
 def test_the_speed_is_held(example):
-    """Without the controller the speed stays 1.0609."""
+    """The speed without the controller is 1.0609."""
     assert example.by_communication(STEP, 400.0)[-1][3] == pytest.approx(example.WANTED_SPEED, abs=1e-4)
 
 

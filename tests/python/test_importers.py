@@ -181,7 +181,7 @@ def test_fmi_sim_in_co_simulation(tmp_path, options):
     assert last["stride.count"] == "10" and last["stride.word"] == REFERENCE["word"]
     for name in QUANTITIES:
         assert float(last[f"stride.{name}"]) == pytest.approx(REFERENCE[name], rel=1e-8), name
-    # Only with early return is there a row more for each event.
+    # Early return adds a row for each event.
     assert (len(rows) > 2550) == ("--early-return-allowed" in options)
 
 
@@ -201,7 +201,7 @@ def test_fmi_sim_runs_a_unit_of_one_s_own(tmp_path):
 
 @in_rust
 def test_fmi_sim_in_model_exchange(tmp_path):
-    """It has forward Euler only: good to some thousandths, and the same rows from both versions."""
+    """fmi-sim has only forward Euler, good to some thousandths. Both versions give the same rows."""
     two, three = (
         rows_of(tmp_path, fmi, "model-exchange", 25.1, "--output-interval", "0.001") for fmi in (2, 3)
     )

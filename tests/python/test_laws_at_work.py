@@ -71,7 +71,7 @@ def test_a_law_that_settles_a_runner_lets_it_recover_from_more(gait, settling):
 
 
 def test_noise_is_drawn_by_the_number_in_the_slice(gait, settling, monkeypatch, tmp_path):
-    """Not by the block, nor by who computes it, nor by where a file was gone on with."""
+    """Noise depends neither on blocks, nor on the executor, nor on resuming from a file."""
     noisy = AffineLaw(
         settling.inputs,
         settling.apex,

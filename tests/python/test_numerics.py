@@ -146,7 +146,7 @@ def test_a_walk_stops_before_a_wall_and_at_once_where_its_input_is_refused(probl
 
 
 def test_halving_finds_the_longest_step_that_succeeds():
-    """It ends where there is none, also with a step that is not a number."""
+    """Halving ends if no step succeeds, even if the step is not a number."""
 
     def attempt(step):
         if not step <= 0.3:

@@ -45,7 +45,7 @@ def test_the_page_has_the_stored_values_and_a_table_of_every_section():
 
 @pytest.mark.parametrize("claim", CLAIMS, ids=name_of)
 def test_its_command_is_one(claim):
-    """It parses: every option is known and has a value, and every file that it names is there."""
+    """The command parses: all options are known and have values, and all files that it names exist."""
     name, *arguments = claim.command.replace("{seed}", "3").removeprefix("tdmf-slip ").split()
     command = commands.get_command(click.Context(commands), name)
     assert command is not None

@@ -36,7 +36,7 @@ class Hopper(Model):
 
     @event("flight", when=lambda b: b.height - b.swing * sin(b.angle), unit="m")
     def hits(b):
-        """It bounces, or comes to rest."""
+        """The hopper bounces, or comes to rest."""
         if b.speed**2 < b.sticks**2:
             return b.to("rest", speed=0)
         return b.replace(speed=-b.restitution * b.speed, hops=b.hops + 1)
@@ -255,7 +255,7 @@ def test_a_callback_changes_states_from_stop_to_stop(hopper, threads):
 
 
 def test_a_run_that_a_callback_leaves_as_it_is_goes_on_in_its_lane(hopper):
-    """It ends as one that is begun anew at each stop; some have less time from a stop on."""
+    """The run ends like one begun anew at each stop. Some runs have less time from a stop on."""
     ends = np.random.default_rng(1).uniform(8, 12, 40)
     steps = {}
     for unchanged in (False, True):

@@ -119,7 +119,7 @@ def test_a_large_constant_does_not_absorb_a_small_one_that_has_the_same_factor()
 
 @pytest.mark.parametrize("push", [0, 0.03])
 def test_a_run_in_many_calls_is_the_run_in_one(push):
-    """Also where calls end at an event, or a rounding error before or after it. Two events coincide."""
+    """Calls end anywhere, at an event, or a rounding error before or after it. Two events coincide."""
     page, end = CompiledPage(Turns), 40.0
     whole = page.start(push=push, seeds=["angle", "push"], tolerance=1e-13).to(end)
     events = [time for time, *_ in whole.log]
@@ -280,7 +280,7 @@ class Slides(Model):
 
     @mode()
     def falls(s):
-        """It falls at a steady speed."""
+        """The body falls at a steady speed."""
         return {"height": -s.descent}
 
     @mode()
@@ -290,7 +290,7 @@ class Slides(Model):
 
     @mode()
     def lies(s):
-        """It is at rest."""
+        """The body is at rest."""
         return {}
 
     @event("falls", when=lambda s: s.height, unit="m")
@@ -300,7 +300,7 @@ class Slides(Model):
 
     @event("slides", when=lambda s: s.speed, unit="m/s")
     def stops(s):
-        """Its speed has fallen to 0."""
+        """The body's speed has fallen to 0."""
         return s.to("lies", speed=0)
 
 

@@ -85,7 +85,7 @@ def test_the_damped_ball_of_the_guide_falls_as_scipy_integrates(guide):
 
 
 def test_the_block_of_the_guide_sticks_and_slips(guide):
-    """It slips where the spring reaches the grip, then as SciPy integrates the fading friction."""
+    """The block slips when the spring reaches the grip, then moves as SciPy integrates fading friction."""
     run = CompiledPage(guide.Block).start(tolerance=1e-13).to(30.0)
 
     def rates(_, y):

@@ -41,7 +41,7 @@ class Pulse(Model):
 
     @observe("turns", "largest", into="most")
     def wave(s):
-        """It jumps where the event is."""
+        """A wave that jumps at the event."""
         return s.height * sin(s.angle) + s.jump * s.passed
 
     @observe("turns", "largest", into="most")
@@ -51,7 +51,7 @@ class Pulse(Model):
 
     @observe("turns", "positive integral", into="positive", unit="1/s")
     def half_wave(s):
-        """It jumps, too."""
+        """The rate of a wave that jumps at the event."""
         return s.rate * (s.height * sin(s.angle) + s.jump * s.passed)
 
 

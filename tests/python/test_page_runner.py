@@ -189,7 +189,7 @@ def test_a_gait_word_of_more_letters_than_a_double_holds_keeps_the_first_and_is_
 @pytest.mark.parametrize("foot_mass", [0.1, 1e-4, 1e-7])
 @pytest.mark.parametrize("rate", [1e-3, -1e-3])
 def test_a_foot_that_bears_nothing_after_its_impact_stays_or_leaves_once(whole, foot_mass, rate):
-    """Without gravity, damping and servo the runner is at rest after the impact, until a torque starts."""
+    """A runner without gravity, damping and servo rests after the impact, until a torque starts."""
     angle, speed = -0.3, 0.1
     start = {"seen_y": 0, "seen_vx": 0, "seen_vy": -speed, "length": 1, "angle": angle,
              "length_rate": speed * np.cos(angle), "angle_rate": -speed * np.sin(angle)}  # fmt: skip

@@ -40,7 +40,7 @@ def test_level_ground_is_the_ground_of_the_gait():
 
 
 def test_each_stance_is_on_the_line_that_was_below_the_foot():
-    """But near an edge, where a look may come too late for it."""
+    """Stances near an edge are left out: a communication point may come too late for them."""
     step, profile = 0.05, Profile.random_steps(12, 7.0, 0.05, seed=3, begin=20.0)
     variables = ["foot.x", "foot.y", "foot.vx", "contact.normal", "com.x"]
     run = run_unit(strides=4, profile=profile, output_interval=step, variables=variables)

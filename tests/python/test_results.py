@@ -133,7 +133,7 @@ def test_what_may_be_given_for_a_runner_is_the_same_everywhere():
 
 
 def test_help_names_the_types_of_arrays():
-    """And not what stands behind that name, which fills a screen."""
+    """The definition behind a type's name would fill a screen."""
     shown = 0
     for name in tdmf_slip.__all__:
         thing = getattr(tdmf_slip, name)

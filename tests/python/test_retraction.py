@@ -19,7 +19,7 @@ def branch():
 
 
 def heights(runner, apex):
-    """They are those of the apices of four strides, after many others."""
+    """Apex heights of four strides, after many others."""
     ends = Batch(runner, apex[None]).run(1000)
     found = []
     for _ in range(4):

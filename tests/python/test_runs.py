@@ -233,7 +233,7 @@ def test_friction_beyond_its_range_is_refused(friction):
 
 @both_interfaces
 def test_a_wound_leg_falls_as_one_that_is_not(interface):
-    """Without a hip, a turn more or less is none."""
+    """A full turn of the leg changes nothing without a hip."""
     falls = []
     for turns in (0, 150):
         start = ON_THE_GROUND | {"leg.angle": 0.5 + 2.0 * math.pi * turns, "leg.angle_rate": 0.3}

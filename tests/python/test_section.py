@@ -9,7 +9,7 @@ APEX = (1.4, 1.1, 0.97, 0.6, -0.03, 0.2)
 
 @pytest.mark.parametrize("masses", [{}, {"body.mass": 80.0, "foot.mass": 4.0}])
 def test_the_state_at_an_apex_has_its_centre_of_mass_there(masses):
-    """Its definition weights the bodies' positions and velocities (7) by their masses."""
+    """The centre of mass weights the bodies' positions and velocities (7) by their masses."""
     runner = Runner(masses)
     values = runner.state_at(APEX)
     body, foot = masses.get("body.mass", 1.0), masses.get("foot.mass", 0.1)

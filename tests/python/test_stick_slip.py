@@ -30,7 +30,7 @@ def test_the_foot_sticks_three_times_in_one_stance(gait):
 
 
 def test_what_the_ground_does_is_the_law_of_friction(gait):
-    """Along the ground: a slip's force is that of its speed, against it, a stick's within the static cone."""
+    """A slip's force follows from its speed and opposes it; a stick's force is within the static cone."""
     run = run_unit(gait.start_values, strides=1, output_interval=gait.period / 20_000)
     cosine, sine = np.cos(SLOPE), np.sin(SLOPE)
     along = cosine * run.table["contact.fx"] + sine * run.table["contact.fy"]

@@ -183,7 +183,7 @@ def test_runners_have_their_own_parameters_and_settings(gait, starts):
 
 
 def test_every_setting_may_change_and_acts(gait):
-    """It changes from the second stride on; the first is made on the whole page, which rounds otherwise."""
+    """Settings change from the second stride on. The first runs on the whole page, which rounds otherwise."""
     usual = gait.runner
     as_ever = stride_map(gait.runner, gait.apex, strides=2)
     for name in SETTINGS:
@@ -467,7 +467,7 @@ def test_an_affine_law_is_checked_when_it_is_made(gait):
 
 @pytest.mark.parametrize("model", ["full", "reduced"])
 def test_derivatives_are_those_of_differences_with_the_settings_of_each_stride(gait, model):
-    """Under a law and with inputs, of runners that differ; none where a stride does not close."""
+    """Runners differ, and have a law and inputs. Strides that do not close have no derivatives."""
     size = 6 if model == "full" else 2
     apices = [gait.apex[:size], gait.apex[:size] * ([1.05] + [1.0] * (size - 1)), [0.3] + [1.0] * (size - 1)]
     names = ["leg.stiffness", ANGLE, "gravity"]

@@ -263,7 +263,7 @@ def initial_start(draw, i):
 
 
 def test_initial_unknowns_follow_the_declared_start_values(unit):
-    """No dependency is missing, and those declared are seen; one of a whole start by any unknown."""
+    """No dependency is missing. Each declared one is seen, those on a whole start by any unknown."""
     draw = random.Random(29)
     declared = unit.declared("initialUnknowns")
     observed = Observed(declared)

@@ -53,7 +53,7 @@ STEP = 1e-6
 
 
 def test_derivatives_are_differences():
-    """There are more names than the engine takes at once, and some of them move the start."""
+    """The names are more than the engine takes at once, and some of them move the start."""
     gait = find_gait({"friction": 0.43, "slope": 0.02})
     times = np.sort(np.random.default_rng(1).uniform(0.0, 1.9 * gait.period, 25))
     run = trajectory(gait, times=times, derivatives=NAMES)

@@ -77,7 +77,7 @@ def test_a_wheel_is_what_its_name_says(tag):
 
 @each_platform
 def test_nothing_in_a_wheel_names_the_folder_that_it_was_built_in(tag):
-    """Else two people who build the same sources get different bytes, and a stranger's folder is on show."""
+    """The folder's name would change the bytes from one builder to the next, and show a stranger's folder."""
     folder = str(ROOT).encode()
     with zipfile.ZipFile(WHEELS[tag]) as wheel:
         contents = {member: wheel.read(member) for member in wheel.namelist()}

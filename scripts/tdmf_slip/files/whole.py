@@ -126,7 +126,7 @@ def _hand_on_mode(resolved: Path, beside: Path) -> None:
 
 
 def _flush(resolved: Path, flags: int) -> None:
-    """Have the disk take what was written: a name may reach it before the content that it stands for."""
+    """Flush a file to disk; otherwise its new name may be on the disk before its content."""
     handle = os.open(resolved, flags)
     try:
         os.fsync(handle)

@@ -67,7 +67,7 @@ class Profile:
             raise InputError("profile: positions have to be ascending, from left to right")
 
     def __repr__(self) -> str:
-        """Its points, where they lie and how high they are."""
+        """The number of points, with the ranges of their positions and heights."""
         at, high = (f"{np.min(row):g} to {np.max(row):g} m" for row in (self.x, self.y))
         return f"<Profile of {len(self.x)} points: positions {at}, heights {high}>"
 

@@ -64,7 +64,7 @@ INTERVALS = 1e-12, 1e9
 MAX_STRIDES = 10**9
 NAMES = "names of variables in a list"
 MAX_NAMES = 10_000
-"""More than any unit has."""
+"""Largest number of names, more than any unit has."""
 POINTS_PER_TIME_UNIT = 10
 """Recorded points in each sqrt(m/k), unless an output interval is given. Also bounds what FMPy lets CVODE do
 between two points: 500 steps."""

@@ -63,7 +63,7 @@ def ball_of(value: Fraction) -> arb:
 
 
 def fraction_in(text: str) -> Fraction:
-    """The exact number that a text is; ValueError where it is none, or has too many digits."""
+    """The exact number of a text; a ValueError if it is not a number, or has too many digits."""
     exponent = text.lower().partition("e")[2]
     if "_" in text or len(text) > LONGEST_TEXT or len(exponent) > LONGEST_EXPONENT:
         raise ValueError(f"{shown(text)} is no number")
@@ -71,7 +71,7 @@ def fraction_in(text: str) -> Fraction:
 
 
 def exact_value(variable: Variable, given: object, where: str) -> Exact:
-    """The number that is meant by a value as it is given."""
+    """Exact number meant by a given value."""
     if variable.type == "Boolean":
         return Flag(Fraction(variable.value_of(given, where)))  # type: ignore[arg-type] # it checks the kind
     if not isinstance(given, str):
@@ -109,7 +109,7 @@ def default_value(variable: Variable) -> Exact:
 
 
 def exact_values(values: Mapping[str, float], given: Mapping[str, object]) -> dict[str, Exact]:
-    """All values of a runner as they are meant."""
+    """All values of a runner, as exact numbers."""
     found = {}
     for name, value in values.items():
         variable = VARIABLES[name]

@@ -63,7 +63,7 @@ class Guard:
         return None
 
     def zero_after(self, begin: arb, end: arb) -> arb | None:
-        """Times of its only zero between two times, where it falls through it; None where that is not proved.
+        """Enclosure of the guard's only zero between two times, where it falls; None if that is not proved.
 
         Every function in the tube has one zero in the ball, and is positive before; the slope that
         shows this is checked by the caller at the instant, since a remainder has none.

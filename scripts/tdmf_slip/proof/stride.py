@@ -201,7 +201,7 @@ class Traveller:
             end = times
 
     def _first(self, guards: list[Guard], flow: Flow, end: arb) -> tuple[Guard | None, arb | None]:
-        """The guard that is first to fall through zero, and when; else up to where to go in this step.
+        """The guard that is first to fall through zero, and the time; otherwise the end of this step.
 
         (None, None) says that all guards are positive up to `end`.
         """

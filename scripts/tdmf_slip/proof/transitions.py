@@ -24,7 +24,7 @@ class Entered:
     """The mode that an event leads to."""
 
     mode: Mode
-    """After the event and what follows it at the same instant."""
+    """Mode after the event and all that follow it at the same instant."""
     values: dict[str, Number]
     """Numbers of the motion, by the names of the mode."""
     zeros: Mapping[str, int] = field(default_factory=dict)

@@ -29,7 +29,7 @@ UNDECODED = range(0xDC80, 0xDD00)
 
 
 def prints_anything() -> None:
-    """Have standard output and error replace what they cannot encode; names of files stay as they are."""
+    """Let standard output and error replace characters that they cannot encode; names of files are kept."""
     codecs.register_error(HANDLER, _replaced)
     for stream in (sys.stdout, sys.stderr):
         if hasattr(stream, "reconfigure"):
