@@ -1,4 +1,4 @@
-# What is installed: the component unit for the Python package only, which asks for it by name, and the libraries.
+# Installation: the libraries, and the component unit, which only the Python package asks for by its name.
 # In the Python package it is one file, whose name has no version.
 set(file_name $<TARGET_FILE_PREFIX:tdmf_slip_shared>$<TARGET_FILE_BASE_NAME:tdmf_slip_shared>$<TARGET_FILE_SUFFIX:tdmf_slip_shared>)
 install(PROGRAMS $<TARGET_FILE:tdmf_slip_shared> DESTINATION tdmf_slip/native RENAME ${file_name}

@@ -71,7 +71,7 @@ def collect(builds, file):
 
 
 def entry_time():
-    """What every entry has for its time."""
+    """The time that every entry has."""
     earliest = 315532800  # 1980-01-01
     return time.gmtime(max(earliest, int(os.environ.get("SOURCE_DATE_EPOCH", earliest))))[:6]
 

@@ -40,7 +40,7 @@ KINDS = {
     "macosx_11_0_arm64": "Python package, macOS on Apple's processors",
     "tar": "sources",
 }
-"""What a file is, by its name or by the last part of its stem."""
+"""Description of a file, by its name or by the last part of its stem."""
 
 
 def version():
@@ -60,7 +60,7 @@ def section_of(changelog, wanted):
 
 
 def kind_of(name):
-    """What a released file is."""
+    """The description of a released file."""
     stem = name.removesuffix(".gz").rsplit(".", 1)
     return KINDS.get(name) or KINDS[stem[1] if stem[1] == "tar" else stem[0].rpartition("-")[2]]
 
@@ -97,7 +97,7 @@ def sha256(file):
 
 
 def needs(package):
-    """What an installed package needs here, optional parts left out."""
+    """Packages that an installed package needs here, optional parts left out."""
     requirements = map(Requirement, importlib.metadata.requires(package) or [])
     return sorted(
         {

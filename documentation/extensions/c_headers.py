@@ -20,7 +20,7 @@ TYPES = "".join(
 )
 """Types of the standard headers, which the parser does not read."""
 INDENT = " " * 4
-"""What begins each line of code in a comment."""
+"""Beginning of each line of code in a comment."""
 COMMENT = re.compile(r"/\*(.*?)\*/", re.DOTALL)
 FOR_CPLUSPLUS = re.compile(r'#ifdef __cplusplus\n(extern "C" \{|\})\n#endif')
 INCLUDE = re.compile(r'#include "tdmf_slip/([\w/]+\.h)"')

@@ -19,7 +19,7 @@ extern "C" {
  * tolerance. */
 #define TDMF_GUARD_MARGIN 1e-12
 
-/* What the transitions have changed. */
+/* Changes made by the transitions. */
 typedef struct {
     bool state_changed; /* some element of the state jumped */
     bool mode_changed;  /* contact, phase, clamp, thrust or fall: the right-hand side is a different one */

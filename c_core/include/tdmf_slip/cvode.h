@@ -10,7 +10,7 @@
 extern "C" {
 #endif
 
-/* Whether the library was built with SUNDIALS. */
+/* True if the library was built with SUNDIALS. */
 bool tdmf_cvode_is_available(void);
 
 /* Does what tdmf_native_advance does, by CVODE (BDF) and its root finding. Keeps nothing between calls: its

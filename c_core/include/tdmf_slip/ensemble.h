@@ -116,51 +116,51 @@ typedef struct {
  * set at apices and the height of rough ground. */
 typedef struct {
     const tdmf_model *model;           /* its parameters */
-    tdmf_inputs inputs;                /* throughout */
-    const double *parameters, *states; /* or of another page: the numbers with which each stride begins */
-    tdmf_ensemble_rules rules;         /* when it is done */
+    tdmf_inputs inputs;                /* inputs, held throughout */
+    const double *parameters, *states; /* numbers with which each stride of another page begins */
+    tdmf_ensemble_rules rules;         /* rules of the run */
 } tdmf_ensemble_case;
 
 /* Settings that are given for each runner and stride. They are in force from the apex on at which the stride
  * begins; a runner whose ground still waits at the next is below it and has fallen. */
 typedef struct {
-    int count;            /* of settings */
-    const int *settings;  /* each by tdmf_setting_of, not twice, and none that a law sets */
-    int first, strides;   /* of so many strides from this one on; those that follow are made as the last */
-    const double *values; /* of each runner, of each of these strides: all settings */
+    int count;            /* number of settings */
+    const int *settings;  /* settings by tdmf_setting_of: none twice, and none that a law sets */
+    int first, strides;   /* first stride with given values, and their number; later ones repeat the last */
+    const double *values; /* all settings, by runner and stride */
 } tdmf_given_settings;
 
 /* One stride of a runner. */
 typedef struct {
-    int began;                                      /* 1 where it did: else all of it is as it was */
-    double apex[TDMF_POINT_LIMIT];                  /* at which it closed */
-    double foot_x;                                  /* m, where the foot is there */
-    tdmf_stride stride;                             /* its quantities */
+    int began;                                      /* 1 if the stride began; else the row is left alone */
+    double apex[TDMF_POINT_LIMIT];                  /* apex at which the stride closed */
+    double foot_x;                                  /* position of the foot at that apex, m */
+    tdmf_stride stride;                             /* quantities of the stride */
     double liftoff_angle;                           /* theta_LO, rad */
-    double external_work;                           /* J, of the stride, as the losses */
-    double damper_loss, friction_loss, impact_loss; /* J in the stride */
-    double ground_height;                           /* m, that was set at the apex at which it began */
-    double set[TDMF_SETTING_LIMIT];                 /* there by the law, in the order of its settings */
+    double external_work;                           /* external work in the stride, J */
+    double damper_loss, friction_loss, impact_loss; /* losses in the stride, J */
+    double ground_height;                           /* ground height set at the stride's first apex, m */
+    double set[TDMF_SETTING_LIMIT]; /* values set by the law there, in the order of its settings */
 } tdmf_ensemble_stride;
 
 /* A checkpoint: where a runner stands after `max_strides`, so that a later call can go on from there. Its
  * content is for the library only. */
 enum { TDMF_CHECKPOINT_STATES = 112 };
 typedef struct {
-    bool stands;                           /* else its run is over */
-    int mode, chain;                       /* at the apex */
+    bool stands;                           /* true while the runner can go on; false if its run is over */
+    int mode, chain;                       /* mode, and length of the chain of events, at the apex */
     double time, time_rest;                /* s */
-    double ground_height, ground_slope;    /* m and rad, of the ground at the apex */
+    double ground_height, ground_slope;    /* ground at the apex, m and rad */
     uint64_t taken, above, late;           /* bits of events: taken; with a guard seen above zero; late */
-    double states[TDMF_CHECKPOINT_STATES]; /* of its page */
+    double states[TDMF_CHECKPOINT_STATES]; /* states of the runner's page */
 } tdmf_ensemble_checkpoint;
 
 /* States and events of a page's strides that are recorded, a row for each runner and stride. */
 typedef struct {
     int count;             /* states */
     const int *states;     /* their numbers */
-    double *values;        /* at the crossing where the stride closes */
-    int event_room;        /* events of a stride that there is room for */
+    double *values;        /* values at the crossing where the stride closes */
+    int event_room;        /* number of events of a stride that there is room for */
     unsigned char *events; /* their numbers, each plus 1; 0 behind the last */
 } tdmf_ensemble_notes;
 
@@ -175,27 +175,27 @@ typedef struct {
 typedef struct {
     const tdmf_page *page; /* a model that runs by the return map of a section, always from a point of it on;
                               NULL: the runner, which goes by `map` */
-    int section;           /* of the page */
-    const tdmf_ensemble_notes *notes;         /* of a page; or NULL */
-    const tdmf_ensemble_case *cases;          /* what the runners are given */
-    int case_count;                           /* how many cases */
+    int section;           /* section of the page */
+    const tdmf_ensemble_notes *notes;         /* notes of a page; or NULL */
+    const tdmf_ensemble_case *cases;          /* cases of the runners */
+    int case_count;                           /* number of cases */
     const int *case_of;                       /* each runner's case; NULL: all the first */
     const double (*starts)[TDMF_POINT_LIMIT]; /* apices */
-    const double *foot_x;                     /* m, where their feet are; NULL: 0 */
-    int64_t count;                            /* of runners */
-    uint64_t first_number;                    /* of the first; by their numbers rough ground is drawn */
-    double relative_tolerance;                /* as in tdmf_solver */
-    long step_limit;                          /* of each runner, as in tdmf_solver; 0: TDMF_STEP_LIMIT */
-    int threads;                              /* so many work at once, but no more than runners */
-    tdmf_instructions instructions;           /* how they are stepped */
-    tdmf_apex_map map;                        /* by which all of them go, without a page */
-    const tdmf_given_settings *given;         /* or NULL: none are */
-    tdmf_ensemble_stride *strides;            /* what is noted, as strides begin and close; or NULL */
-    int first_stride, stride_count; /* of each runner: the first that is noted, and how many from it on */
-    tdmf_ensemble_checkpoint *checkpoints; /* of each runner, written where it stands; or NULL */
-    bool goes_on;    /* from checkpoints and ends of an earlier call, with a larger number of most strides */
-    const int *stop; /* NULL, or what another thread may set to another value than 0 meanwhile: then no runner
-                        begins any more, and those under way end with their strides */
+    const double *foot_x;                     /* positions of the feet, m; NULL: 0 */
+    int64_t count;                            /* number of runners */
+    uint64_t first_number;            /* number of the first runner; rough ground is drawn by number */
+    double relative_tolerance;        /* tolerance of a step, see tdmf_solver */
+    long step_limit;                  /* step limit of each runner, see tdmf_solver; 0: TDMF_STEP_LIMIT */
+    int threads;                      /* number of threads, at most one for each runner */
+    tdmf_instructions instructions;   /* instructions that step the runners */
+    tdmf_apex_map map;                /* map of all runners, without a page */
+    const tdmf_given_settings *given; /* given settings; or NULL */
+    tdmf_ensemble_stride *strides;    /* records of strides, written as they begin and close; or NULL */
+    int first_stride, stride_count; /* first recorded stride of each runner, and number of recorded strides */
+    tdmf_ensemble_checkpoint *checkpoints; /* checkpoint of each runner, written at its end; or NULL */
+    bool goes_on;    /* resumes from checkpoints and ends of an earlier call, with a larger `max_strides` */
+    const int *stop; /* NULL, or a flag that another thread may set to a value other than 0: no further runner
+                        begins, and runners under way end with their strides */
 } tdmf_ensemble;
 
 /* The fate of a runner. */
@@ -226,13 +226,12 @@ typedef struct {
 
 /* Work done in a run. */
 typedef struct {
-    int64_t strides, events; /* of all runners */
-    int64_t steps;           /* of runners */
+    int64_t strides, events; /* strides and events of all runners */
+    int64_t steps;           /* steps of all runners */
     int64_t lane_steps;      /* lanes stepped; the steps in them over their number is how full they were */
     int64_t evaluations;     /* coefficients of series, as in tdmf_solver */
-    int64_t layer_steps;     /* of the steps, as in tdmf_solver */
-    int64_t begun; /* runners, from the first on: of the others, where the run was stopped, no end is
-                      written */
+    int64_t layer_steps;     /* steps in the layer, as in tdmf_solver */
+    int64_t begun;           /* runners that have begun, from the first one on; the others have no end */
 } tdmf_ensemble_work;
 
 /* Runs all runners and writes the end of each into `ends`. An end depends neither on the runner's neighbours
@@ -262,15 +261,15 @@ TDMF_API tdmf_refusal tdmf_run_ensemble(const tdmf_ensemble *ensemble, tdmf_ense
 
 /* Strides of many runners, and how they are made. */
 typedef struct {
-    const tdmf_system *systems;                 /* of each runner */
+    const tdmf_system *systems;                 /* one system for each runner */
     const double (*sections)[TDMF_POINT_LIMIT]; /* apices from which the strides start */
-    const double *until;                        /* s, that each stride may take; 0: 1e4 sqrt(m/k) */
-    int64_t count;                              /* of strides */
-    tdmf_apex_map map;                          /* by which all of them are made */
-    bool derivatives, measures;                 /* as in tdmf_stride_request */
-    const tdmf_seed *seeds;                     /* along which all strides are differentiated */
-    int seed_count;                             /* how many */
-    int threads;                                /* so many work at once */
+    const double *until;                        /* time limit of each stride, s; 0: 1e4 sqrt(m/k) */
+    int64_t count;                              /* number of strides */
+    tdmf_apex_map map;                          /* map of all strides */
+    bool derivatives, measures;                 /* results wanted, see tdmf_stride_request */
+    const tdmf_seed *seeds;                     /* directions of the derivatives of all strides */
+    int seed_count;                             /* number of seeds */
+    int threads;                                /* number of threads */
 } tdmf_stride_batch;
 
 /* Makes strides side by side in lanes. Each result is that of tdmf_run_stride. It depends neither on its

@@ -1,4 +1,4 @@
-/* What the shared library exports: the functions that are marked with TDMF_API, and no other name. */
+/* Exports of the shared library: functions that are marked with TDMF_API, and no other name. */
 #ifndef TDMF_SLIP_EXPORT_H
 #define TDMF_SLIP_EXPORT_H
 

@@ -36,7 +36,7 @@ typedef struct {
         bool pending; /* the line of ground set last is not in force yet */
     } ground;
     struct {
-        double force; /* of spring and damper, N */
+        double force; /* force of spring and damper, N */
     } leg;
     struct {
         double torque;        /* total: the hip's law and the external torque, N.m */
@@ -45,15 +45,15 @@ typedef struct {
         int phase_index;      /* the same number */
     } hip;
     struct {
-        double kinetic;     /* of body and foot, J */
-        double potential;   /* zero at y = 0, J */
-        double elastic;     /* in the leg's spring, J */
+        double kinetic;     /* kinetic energy of body and foot, J */
+        double potential;   /* potential energy, zero at y = 0, J */
+        double elastic;     /* elastic energy of the leg's spring, J */
         double total;       /* kinetic + potential + elastic, J */
         double impact_loss; /* lost at impacts since the start, J */
     } energy;
     struct {
         int count;        /* contact and phase changes since the start */
-        double last_time; /* of the last one, s */
+        double last_time; /* time of the last change, s */
     } event;
     struct {
         bool fallen; /* true from a fall on */

@@ -1,4 +1,4 @@
-/* What a library that `tdmf-slip build` has made of a page has beside page.h: its identity, and strides of
+/* Additions to page.h in a library that `tdmf-slip build` has made of a page: its identity, and strides of
  * many runners, side by side in the lanes of SIMD registers and in threads. */
 #ifndef TDMF_SLIP_OWN_PAGE_H
 #define TDMF_SLIP_OWN_PAGE_H
@@ -17,7 +17,7 @@ TDMF_API const char *tdmf_page_build(void);
 /* Runs from points of a section. Each ends as tdmf_page_stride would end it, bit for bit; so results do not
  * depend on the number of runs, lanes or threads. */
 typedef struct {
-    const tdmf_page_map *map;   /* of all; its parameters and states are those of the first run */
+    const tdmf_page_map *map;   /* map of all runs; its parameters and states are those of the first run */
     int64_t count;              /* runs */
     int64_t parameters_of_each; /* numbers from the parameters of a run to those of the next; 0: all share */
     int64_t states_of_each;     /* numbers from the states of a run to those of the next; 0: all share */
@@ -25,7 +25,7 @@ typedef struct {
     double *states, *d_states;  /* rows at the end, as of tdmf_page_stride; `d_states` may be NULL */
     tdmf_page_end *ends;        /* one for each run */
     const int *cancel;          /* NULL; or runs end as cancelled once it points to another value than 0 */
-    int threads;                /* at most so many run at once */
+    int threads;                /* number of threads */
 } tdmf_page_batch;
 
 /* Makes all strides, with events in rows of `event_room`. False if the map is refused; then nothing is

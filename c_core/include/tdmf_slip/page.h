@@ -28,7 +28,7 @@ typedef enum {
     TDMF_PAGE_STATE,     /* changes in a run */
     TDMF_PAGE_MODE,      /* has rates of its own for the states */
     TDMF_PAGE_EVENT,     /* leads from one mode to the next */
-    TDMF_PAGE_SECTION,   /* of a return map */
+    TDMF_PAGE_SECTION,   /* section of a return map */
     TDMF_PAGE_OUTPUT     /* computed from parameters and states */
 } tdmf_page_item;
 
@@ -57,17 +57,17 @@ typedef struct {
 typedef struct {
     const tdmf_page *page;       /* the model */
     int section;                 /* its number */
-    double *parameters, *states; /* in the order of their numbers; not changed. The states begin the run,
-                                    where a point of the section does not determine them */
-    double tolerance;            /* relative, between 1e-16 and 1e-2 */
-    double longest;              /* s, time to the next crossing */
+    double *parameters, *states; /* values in the order of their numbers; not changed. The states begin the
+                                    run if a point of the section does not determine them */
+    double tolerance;            /* relative tolerance, between 1e-16 and 1e-2 */
+    double longest;              /* longest time to the next crossing, s */
     int seed_count;              /* seeds along which derivatives are computed, at most 8 */
-    double *d_parameters;        /* of each seed, the change of each parameter; NULL where there is none */
-    double *d_states;            /* of each seed, the change of each state at the beginning; NULL for none */
-    long step_limit;             /* steps of a run at the most; 0 for 100,000 */
-    int event_room;              /* events that there is room for */
-    tdmf_page_event *events;     /* receives the events of a run; NULL for none */
-    bool is_unobserved;          /* leaves out what the page observes: largest values and positive parts */
+    double *d_parameters;        /* change of each parameter along each seed; NULL without seeds */
+    double *d_states;        /* change of each state at the beginning along each seed; NULL without seeds */
+    long step_limit;         /* steps of a run at the most; 0 for 100,000 */
+    int event_room;          /* events that there is room for */
+    tdmf_page_event *events; /* receives the events of a run; NULL for none */
+    bool is_unobserved;      /* leaves out what the page observes: largest values and positive parts */
 } tdmf_page_map;
 
 /* Says why a request is refused: which parameter, state or member, its value and what is allowed. `point` is
@@ -75,7 +75,7 @@ typedef struct {
  * see tdmf_page_end. */
 TDMF_API tdmf_refusal tdmf_page_check(const tdmf_page_map *map, const double *point);
 
-/* How a run to the next crossing of the section ended. */
+/* Outcome of a run to the next crossing of the section. */
 typedef enum {
     TDMF_PAGE_CROSSED,   /* there is a next crossing */
     TDMF_PAGE_ENDED,     /* the run is in a mode that the model never leaves, such as a fall */
@@ -89,13 +89,12 @@ typedef enum {
 
 /* The end of a run. */
 typedef struct {
-    tdmf_page_outcome outcome; /* how it ended */
-    int mode;                  /* at the end of the run */
-    double time;               /* s, of the run */
+    tdmf_page_outcome outcome; /* outcome of the run */
+    int mode;                  /* mode at the end of the run */
+    double time;               /* time of the run, s */
     int event_count;           /* events taken, also those for which there was no room */
     long steps;                /* steps made */
-    int requirement;           /* of a start that the page refuses, the number of the requirement that it does
-                                  not meet, from 1; else 0 */
+    int requirement; /* number, from 1, of the requirement that a refused start does not meet; else 0 */
 } tdmf_page_end;
 
 /* Runs from a point of the section, whose coordinates are given in their order, to the next crossing.
@@ -116,11 +115,11 @@ TDMF_API bool tdmf_page_place(const tdmf_page_map *map, const double *point, dou
  * by the coordinates of the point, where there is one, then along the seeds: a row for each time and each of
  * these. */
 typedef struct {
-    int count;                    /* times */
-    const double *times;          /* s */
-    const double *point;          /* of the section, from which the run begins; NULL: from the start */
-    double *states;               /* those that a unit of the model shows */
-    double *outputs;              /* all of the page */
+    int count;           /* times */
+    const double *times; /* s */
+    const double *point; /* point of the section at which the run begins; NULL: the start of the page */
+    double *states;      /* states that a unit of the model shows */
+    double *outputs;     /* all outputs of the page */
     double *d_states, *d_outputs; /* their derivatives; NULL */
     int *modes;                   /* one for each time */
 } tdmf_page_samples;

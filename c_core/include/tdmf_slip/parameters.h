@@ -21,8 +21,8 @@ typedef struct {
 
 /* Accepted parameters with what is derived from them once. Treat as read-only; made by tdmf_model_create. */
 typedef struct {
-    tdmf_parameters parameters;  /* as they were accepted */
-    tdmf_scales scales;          /* of its lengths, times, speeds, forces and energies */
+    tdmf_parameters parameters;  /* accepted parameters */
+    tdmf_scales scales;          /* scales of lengths, times, speeds, forces and energies */
     double inverse_body_mass;    /* 1/m */
     double inverse_foot_mass;    /* 1/m_f */
     double inverse_reduced_mass; /* 1/m + 1/m_f */

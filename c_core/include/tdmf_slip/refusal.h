@@ -23,14 +23,14 @@ typedef enum {
 /* A refusal. All strings are static. */
 typedef struct {
     tdmf_refusal_code code; /* kind of the refusal */
-    const char *variable; /* name of the variable in the FMU, "leg.length", or of the argument,
-                             "solver.step_limit"; NULL if nothing was refused */
-    int64_t index;        /* the element's number, from 0, if the name has a "[]"; else 0 */
-    const char *unit;     /* of value and limits; NULL if the value is no number */
-    double value;         /* the number given */
-    double minimum;       /* smallest number allowed */
-    double maximum;       /* largest number allowed */
-    const char *bound_by; /* the variable or rule that sets the limit, or NULL */
+    const char *variable;   /* name of the variable in the FMU, "leg.length", or of the argument,
+                               "solver.step_limit"; NULL if nothing was refused */
+    int64_t index;          /* the element's number, from 0, if the name has a "[]"; else 0 */
+    const char *unit;       /* unit of value and limits; NULL if the value is no number */
+    double value;           /* the number given */
+    double minimum;         /* smallest number allowed */
+    double maximum;         /* largest number allowed */
+    const char *bound_by;   /* the variable or rule that sets the limit, or NULL */
 } tdmf_refusal;
 
 /* Writes a sentence such as "leg.length = 0.01 m is refused: allowed from 0.05 (leg.min_length) to 1e+09 m"

@@ -71,8 +71,8 @@ typedef enum {
 /* The largest numbers of seeds along which a stride is differentiated. With a place of the foot it is one
  * less. Unary plus makes an int: C++20 deprecates arithmetic between two enumerations. */
 enum {
-    TDMF_RETURN_MAP_SEEDS = +TDMF_VARIATION_LIMIT - TDMF_SECTION_COUNT, /* of the return map */
-    TDMF_REDUCED_MAP_SEEDS = +TDMF_VARIATION_LIMIT - TDMF_REDUCED_COUNT /* of the reduced map */
+    TDMF_RETURN_MAP_SEEDS = +TDMF_VARIATION_LIMIT - TDMF_SECTION_COUNT, /* seeds of the return map */
+    TDMF_REDUCED_MAP_SEEDS = +TDMF_VARIATION_LIMIT - TDMF_REDUCED_COUNT /* seeds of the reduced map */
 };
 
 /* A request for a stride, a gait or many strides. Set `solver`, `system` and `apex`, and zero what you do not
@@ -105,16 +105,16 @@ typedef struct {
 
 /* Derivatives along a direction. */
 typedef struct {
-    double apex[TDMF_SECTION_COUNT];        /* of the coordinates of the next apex */
-    double period, length, work;            /* of the stride's quantities of these names */
+    double apex[TDMF_SECTION_COUNT];        /* derivatives of the coordinates of the next apex */
+    double period, length, work;            /* derivatives of the stride's quantities with these names */
     double stance_time, slip_distance;      /* of these, too */
     double peak_force, peak_vertical_force; /* and of these */
-    double foot_clearance;                  /* of the height of the foot where the stride begins */
-    double foot_x;                          /* of the place of the foot at the next apex */
-    tdmf_stride_measures measures;          /* if they were asked for */
+    double foot_clearance;         /* derivative of the foot's height at the beginning of the stride */
+    double foot_x;                 /* derivative of the foot's position at the next apex */
+    tdmf_stride_measures measures; /* derivatives of the measures, if requested */
 } tdmf_stride_variation;
 
-/* Whether a stride closed, and else why not. */
+/* Outcome of a stride. */
 typedef enum {
     TDMF_RETURN_CLOSED,       /* it has a next apex */
     TDMF_RETURN_REFUSED,      /* the request was refused: see `refusal` */
@@ -160,7 +160,7 @@ TDMF_API const char *tdmf_return_outcome_text(tdmf_return_outcome outcome);
 
 /* ---- gaits --------------------------------------------------------------------------------------------- */
 
-/* Whether a gait was found, and else why not. */
+/* Outcome of a search for a gait. */
 typedef enum {
     TDMF_ORBIT_FOUND,     /* a gait */
     TDMF_ORBIT_NOT_FOUND, /* Newton's method did not converge: no gait near the guess */
@@ -172,11 +172,11 @@ typedef enum {
 
 /* A gait and its stride. Values other than the outcome are those of the last apex tried. */
 typedef struct {
-    tdmf_orbit_outcome outcome;      /* whether it was found, and else why not */
-    int iterations;                  /* of Newton's method */
+    tdmf_orbit_outcome outcome;      /* outcome of the search */
+    int iterations;                  /* iterations of Newton's method */
     double error;                    /* largest difference of the apex and the next, over the scales */
     double apex[TDMF_SECTION_COUNT]; /* the gait's; of the reduced map the first two coordinates */
-    tdmf_return stride;              /* from `apex`, with derivatives */
+    tdmf_return stride;              /* stride from `apex`, with derivatives */
 } tdmf_orbit;
 
 /* Finds a gait, stable or not, by Newton's method from request->apex, down to rounding: if the solver's

@@ -48,10 +48,10 @@ enum { TDMF_STEP_LIMIT = 200000, TDMF_EVENT_LIMIT = 100000, TDMF_STEP_SHARE = 40
 
 /* Settings of the native solver, and its counters. */
 typedef struct {
-    double relative_tolerance; /* of a step, in the runner's scales; above 0 and below 1 */
+    double relative_tolerance; /* tolerance of a step, in the runner's scales; above 0 and below 1 */
     long step_limit;           /* steps in one call; see TDMF_STEP_LIMIT */
     long event_limit;          /* events in one call, and in each stride of several */
-    tdmf_event_log *log;       /* or NULL */
+    tdmf_event_log *log;       /* log of events; or NULL */
     /* Called for each event, with `subject`, right after it was taken; or NULL. */
     void (*on_event)(void *subject, const tdmf_event *event);
     void *subject;
@@ -62,7 +62,7 @@ typedef struct {
     /* Work done so far. */
     int64_t steps, events;
     int64_t strides;     /* strides closed; of the reduced map, stances */
-    int64_t evaluations; /* of the right-hand side, or of a coefficient of its series */
+    int64_t evaluations; /* evaluations of the right-hand side, or of a coefficient of its series */
     int64_t layer_steps; /* steps at slip speeds at which friction falls with speed */
 } tdmf_solver;
 
@@ -71,7 +71,7 @@ typedef struct {
  * runners. */
 enum { TDMF_STIFFNESS_LIMIT = 10000 };
 
-/* How a call of a solver ended. */
+/* Outcome of a solver's call. */
 typedef enum {
     TDMF_ARRIVED,         /* the run stands at the time asked for */
     TDMF_FELL,            /* the runner fell, and the motion is frozen there */
@@ -100,7 +100,7 @@ TDMF_API tdmf_solver tdmf_solver_default(void);
 TDMF_API tdmf_outcome tdmf_native_advance(tdmf_solver *solver, tdmf_system system, const tdmf_inputs *rates,
                                           double until, tdmf_motion *motion);
 
-/* How the integration of a stride ended. */
+/* Outcome of the integration of a stride. */
 typedef struct {
     tdmf_outcome outcome; /* TDMF_ARRIVED: the run stands at `until`, or where the stride closed */
     bool closed;          /* the stride has closed; motion->record.stride has its quantities */

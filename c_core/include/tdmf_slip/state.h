@@ -15,7 +15,7 @@ extern "C" {
  * differentiated. */
 enum { TDMF_MECHANICAL_COUNT = TDMF_HIP_WORK, TDMF_VARIED_COUNT = TDMF_LEG_WORK + 1 };
 
-/* What the foot does; the numbers are those of `contact.mode` in the unit. */
+/* Contact mode of the foot; the numbers are those of `contact.mode` in the unit. */
 typedef enum {
     TDMF_CONTACT_FLIGHT = 1,    /* off the ground */
     TDMF_CONTACT_STICK,         /* loaded, and at rest */
@@ -24,7 +24,7 @@ typedef enum {
     TDMF_CONTACT_GRAZE          /* at rest on the ground without force, held there by the hip */
 } tdmf_contact_mode;
 
-/* Which part of the hip's control law is in force; the numbers are those of `hip.phase` in the unit. */
+/* Part of the hip's control law that is in force; the numbers are those of `hip.phase` in the unit. */
 typedef enum {
     TDMF_PHASE_DRIVE = 1, /* touchdown to mid-stance: torque -tau0 */
     TDMF_PHASE_COAST,     /* the rest of the stance: no torque */
@@ -42,13 +42,13 @@ typedef enum {
 /* The ground: the line y = height + x tan(slope). */
 typedef struct {
     double height, slope; /* m, rad */
-    double sine, cosine;  /* of the slope */
+    double sine, cosine;  /* sine and cosine of the slope */
 } tdmf_ground_line;
 
 /* Everything discrete that the motion depends on. */
 typedef struct {
-    tdmf_contact_mode contact;  /* what the foot does */
-    tdmf_hip_phase phase;       /* what the hip does */
+    tdmf_contact_mode contact;  /* contact mode of the foot */
+    tdmf_hip_phase phase;       /* phase of the hip's control law */
     tdmf_zone zone;             /* slip: what it slips on; changed by events only; else TDMF_ZONE_BEFORE */
     double liftoff_angle;       /* theta_LO, rad */
     bool mid_stance_pending;    /* this stance began with theta >= 0 and has not passed upright yet; one that
@@ -59,8 +59,8 @@ typedef struct {
     bool vertical_force_rising; /* the same of the vertical force, another on a slope */
     bool thrusts;               /* the leg has been compressed most in this stance: its thrust is on */
     bool rises;                 /* off the ground: an apex is to come */
-    double rest_length;         /* m, of the leg, up to which leg.work is accounted for */
-    tdmf_ground_line ground;    /* in force */
+    double rest_length;         /* rest length of the leg up to which leg.work is accounted for, m */
+    tdmf_ground_line ground;    /* ground in force */
     bool fallen;                /* the run is over and the motion frozen */
 } tdmf_mode;
 

@@ -18,8 +18,8 @@ typedef struct {
     double rise;                   /* height that it gained, m */
     double speed;                  /* length / period, m/s */
     double work;                   /* W, net work of hip and leg, J */
-    double hip_work;               /* of the total hip torque, J */
-    double leg_work;               /* of the leg by changes of its rest length, J */
+    double hip_work;               /* work of the total hip torque, J */
+    double leg_work;               /* work of the leg by changes of its rest length, J */
     double positive_work;          /* the part of the hip's work done at positive power, J */
     double cost_of_transport;      /* W / ((m + m_f) g length)  (13); 0 where length is 0 */
     int touchdowns;                /* every impact counts */
@@ -27,7 +27,7 @@ typedef struct {
     double duty_factor;            /* stance_time / period */
     double slip_distance;          /* path the foot slid, m */
     double peak_force;             /* largest ground force across the ground, N */
-    double peak_vertical_force;    /* the same vertically: on a slope another */
+    double peak_vertical_force;    /* largest vertical ground force, which differs on a slope, N */
     char word[TDMF_WORD_CAPACITY]; /* the gait word: a letter for each contact mode that lasted */
     int word_code; /* the word in base 4 ('|' 0, '-' 1, '0' 2, '+' 3, first letter most significant); -1 where
                       it has more than 15 letters */

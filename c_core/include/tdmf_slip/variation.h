@@ -30,9 +30,9 @@ typedef struct {
 /* Change of a motion at a fixed time, per unit of a direction. Of the integrals only the works of hip and leg
  * are differentiated; the others stay 0. */
 typedef struct {
-    double state[TDMF_STATE_COUNT]; /* of each element of the state */
-    double liftoff_angle;           /* of mode.liftoff_angle */
-    tdmf_stance_variation stance;   /* of the stride under way */
+    double state[TDMF_STATE_COUNT]; /* change of each element of the state */
+    double liftoff_angle;           /* change of mode.liftoff_angle */
+    tdmf_stance_variation stance;   /* changes of the stride under way */
 } tdmf_variation;
 
 /* Writes how the motion that tdmf_start makes of a state changes with it. `given` is the state before the

@@ -1,4 +1,4 @@
-/* Which version of the library this is, and what compiled it. */
+/* Version of the library, and the compiler that built it. */
 #ifndef TDMF_SLIP_VERSION_H
 #define TDMF_SLIP_VERSION_H
 
@@ -17,7 +17,7 @@ extern "C" {
 /* The version of the library that is running, "major.minor.patch". */
 TDMF_API const char *tdmf_version(void);
 
-/* What the library was compiled by and how: "GNU 12.2.0, -O3 -DNDEBUG". */
+/* Compiler of the library and its options: "GNU 12.2.0, -O3 -DNDEBUG". */
 TDMF_API const char *tdmf_compiler(void);
 
 #ifdef __cplusplus

@@ -1,5 +1,5 @@
-/* Where the automaton and the solvers have got to between their calls. This is no part of the interface: a
- * program copies it with the motion and reads nothing of it, and any version may change it. */
+/* Progress of the automaton and the solvers between their calls. It is not part of the interface: a program
+ * copies it with the motion and does not read it, and any version may change it. */
 #ifndef TDMF_SLIP_INTERNAL_PROGRESS_H
 #define TDMF_SLIP_INTERNAL_PROGRESS_H
 
@@ -20,12 +20,12 @@ typedef struct {
 
 /* Sums over the stride under way. */
 typedef struct {
-    bool began_at_apex;                               /* else it is not counted */
-    bool flew_since_letter;                           /* the next letter belongs to a new stance */
-    tdmf_instant start, contact_start;                /* of the stride and of the present contact mode */
-    double start_com_x, start_com_y, contact_start_x; /* m, at these instants */
+    bool began_at_apex;                /* else it is not counted */
+    bool flew_since_letter;            /* the next letter belongs to a new stance */
+    tdmf_instant start, contact_start; /* starts of the stride and of the present contact mode */
+    double start_com_x, start_com_y, contact_start_x;           /* m, at these instants */
     double start_hip_work, start_leg_work, start_positive_work; /* J, at the start of the stride */
-    /* As in tdmf_stride, so far. */
+    /* Quantities of tdmf_stride, so far. */
     double stance_time, slip_distance, peak_force, peak_vertical_force;
     int touchdowns;
     char word[TDMF_WORD_CAPACITY];
@@ -33,7 +33,7 @@ typedef struct {
 
 /* Kept from call to call. */
 typedef struct {
-    tdmf_instant now; /* where a solver has got to */
+    tdmf_instant now; /* instant that a solver has reached */
     tdmf_open_stride open;
 } tdmf_progress;
 
