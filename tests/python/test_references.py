@@ -136,11 +136,11 @@ def test_the_unit_runs_over_a_patch_as_the_reference(units, run, way):
     assert apex_in(last) == pytest.approx(end["apex"], rel=accuracy, abs=accuracy)
 
 
+SLIPPERY_POINT = {"ground.patch_begin": 12.5, "ground.patch_end": 12.5, "ground.patch_friction": 0.01}
 NOTHING = {
-    "a patch of no length": {"ground.patch_begin": 12.5, "ground.patch_end": 12.5},
-    "friction that falls at once": {"ground.stribeck_velocity": 0.0},
+    "a patch of no length": SLIPPERY_POINT,
     "a static friction that is the sliding one": {"ground.stribeck_velocity": 0.1},
-}  # fmt: skip
+}
 
 
 @pytest.mark.parametrize("friction", [0.6, 0.2])
