@@ -176,7 +176,7 @@ static int block_start(matrix_rows h, int last) {
     return 0;
 }
 
-/* Makes a Hessenberg matrix triangular. False where that does not come to an end. */
+/* Makes a Hessenberg matrix triangular. False if the iteration does not converge. */
 static bool make_triangular(int count, matrix_rows h) {
     int sweeps = 0;
     for (int last = count - 1; last >= 0;) {
@@ -187,7 +187,7 @@ static bool make_triangular(int count, matrix_rows h) {
         } else if (++sweeps > SWEEP_LIMIT) {
             return false;
         } else {
-            /* Now and then another shift, for matrices that Wilkinson's leads round in circles. */
+            /* An exceptional shift from time to time, for matrices on which Wilkinson's shift cycles. */
             sweep(h, first, last,
                   sweeps % 10 != 0 ? shift_of(h, last) : of_parts(modulus(h[last][last - 1]), 0.0));
         }

@@ -26,7 +26,7 @@ void tdmf_close_mapped_stride(tdmf_mapped_stride *s, tdmf_return *result);
 /* A stride of the reduced map, whose result is all zero. */
 void tdmf_run_reduced_stride(const tdmf_stride_request *request, tdmf_return *result);
 
-/* Checks what a request for a stride has, whatever its map. */
+/* Checks a request for a stride of any map. */
 bool tdmf_is_sound_stride(tdmf_refusal *why, const tdmf_stride_request *request);
 
 /* The time that a stride may take, s. */

@@ -37,8 +37,8 @@ static runner_states states_of(const tdmf_page_part *page, const double *own) {
     return x;
 }
 
-/* A point of the runner's page, with the leg where it is placed; after lift-off with the leg as it was lost.
- * A mode that only the map's page has is in the world's coordinates, as the fallen runner is. */
+/* A point of the runner's page with the leg placed for touchdown; after lift-off, with the leg as it left the
+ * ground. Modes that only the map's page has use the world's coordinates, as the fallen runner does. */
 static tdmf_page_point point_at(const stride *s, const double *x, int mode, double time) {
     const int mode_of_runner = tdmf_mode_in_whole(s->page, mode);
     const tdmf_page_point point = {
@@ -60,7 +60,7 @@ static tdmf_motion motion_at(const stride *s, const double *x, int mode, int las
 
 /* ---- the start ----------------------------------------------------------------------------------------- */
 
-/* The states of a run from an apex: those of the world, with the leg at rest. `inputs` are those before. */
+/* Writes the states of a run at its first apex, with the leg at rest. `inputs` has the states before it. */
 static void enter(const tdmf_page_part *page, const double *p, const double *apex, double *inputs,
                   double *x) {
     memcpy(x, inputs, (size_t)page->model->state_count * sizeof *x);
@@ -306,7 +306,7 @@ static void write_stride(const stride *s, tdmf_return *result) {
     }
 }
 
-/* The plain page, which is faster, where it has all that acts on the runner and all that changes. */
+/* Chooses the plain page, which is faster, if it has all that acts on the runner and all that changes. */
 static const tdmf_page_part *page_of(const tdmf_stride_request *request) {
     const tdmf_system system = request->system;
     tdmf_page_point point = {.p = tdmf_page_parameters(&system.model->parameters, system.inputs)};

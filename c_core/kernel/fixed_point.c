@@ -30,7 +30,7 @@ static bool newton_step(const tdmf_map *map, const tdmf_image *image, double ste
     return tdmf_solve_linear(map->count, a, step);
 }
 
-/* Goes a step, or the part of it that makes the error smaller, into the other slot. */
+/* Takes a step, or the part of it that makes the error smaller, and writes it into the other slot. */
 static bool improve(const tdmf_map *map, tdmf_image images[2], tdmf_fixed_point *best,
                     const double step[TDMF_MAP_LIMIT]) {
     const int slot = 1 - best->slot;

@@ -4,7 +4,7 @@
 
 #include "linear_equations.h"
 
-/* A point and what the map makes of it; of the arrays, as much is used as the map has coordinates. */
+/* A point and its image. Each array is used up to the number of the map's coordinates. */
 typedef struct {
     double point[TDMF_MAP_LIMIT];
     double next[TDMF_MAP_LIMIT];

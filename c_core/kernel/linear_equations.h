@@ -1,4 +1,4 @@
-/* Linear equations in as many unknowns as Newton's method has. */
+/* Linear equations of the size that Newton's method needs. */
 #ifndef TDMF_KERNEL_LINEAR_EQUATIONS_H
 #define TDMF_KERNEL_LINEAR_EQUATIONS_H
 

@@ -121,7 +121,7 @@ KERNEL pair middle_of_square(const real *a, int i) {
     return pair_of(0.5 * (a[i] * a[i]), broadcast(0.0));
 }
 
-/* The terms in the middle of those of coefficients 2 i + 1 and 2 i + 2. */
+/* The terms in the middle of the sums of coefficients 2 i + 1 and 2 i + 2. */
 KERNEL pair next_middle_of_product(const real *a, const real *b, int i) {
     return pair_of(a[i] * b[i + 1] + b[i] * a[i + 1], a[i + 1] * b[i + 1]);
 }

@@ -11,7 +11,7 @@
 /* Up to this distance, a foot is on a border of a patch, which belongs to where the foot is going. */
 #define TDMF_ON_BORDER 1e-12
 
-/* The layer in which friction falls is so wide, in v_s: e^-60 is 1e-26. */
+/* Width, in v_s, of the layer in which friction falls: e^-60 is 1e-26. */
 #define TDMF_LAYER_WIDTH 60.0
 
 /* A layer narrower than this is refused: its v_s would be near to the margins in which a velocity counts as

@@ -12,7 +12,7 @@ bool tdmf_accepts(tdmf_refusal *why, tdmf_refusal refusal);
 
 bool tdmf_accepts_pointer(tdmf_refusal *why, const char *name, const void *pointer);
 
-/* A number from `minimum` to `maximum`; NaN is none. */
+/* Accepts a number from `minimum` to `maximum`, but not NaN. */
 bool tdmf_accepts_number(tdmf_refusal *why, const char *name, const char *unit, double value, double minimum,
                          double maximum);
 
@@ -20,7 +20,7 @@ bool tdmf_accepts_number(tdmf_refusal *why, const char *name, const char *unit, 
 bool tdmf_accepts_element(tdmf_refusal *why, const char *name, int64_t index, double value, double minimum,
                           double maximum);
 
-/* Numbers from 0 on, and their array, which may be NULL if it has no elements. */
+/* Accepts a count from 0 on, and its array, which may be NULL if it has no elements. */
 bool tdmf_accepts_array(tdmf_refusal *why, const char *name, const void *elements, const char *count_name,
                         int64_t count, int64_t most);
 

@@ -127,7 +127,7 @@ static bool same_mode(const tdmf_mode *a, const tdmf_mode *b) {
            a->fallen == b->fallen;
 }
 
-/* Rounding or a coarse solver may leave a flying foot below the ground that rises: this is no touchdown. */
+/* Rounding or a coarse solver may leave a rising foot below the ground in flight. That is no touchdown. */
 static void lift_sunken_foot(tdmf_motion *motion) {
     const tdmf_ground_line *ground = &motion->mode.ground;
     const tdmf_point foot = tdmf_foot_over_ground(ground, motion->state);

@@ -28,7 +28,7 @@ void tdmf_begin_ramped_instant(tdmf_motion_instant *instant, tdmf_system system,
 /* The instant of a point of the page, where its guards are seen for the first time. */
 void tdmf_begin_instant_of_point(tdmf_motion_instant *instant, const tdmf_page_point *point);
 
-/* Writes the outputs of the page. Heights count from the ground line, as all of the page. */
+/* Writes the outputs of the page. Heights are above the ground line, like all heights of the page. */
 void tdmf_write_outputs(tdmf_motion_instant *instant);
 
 /* The value, in N, and the rate, N/s, of the normal force, or of the vertical force, of a loaded foot. */

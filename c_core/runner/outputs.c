@@ -27,7 +27,7 @@ static tdmf_point center_of(const double *o, double base) {
     return center;
 }
 
-/* Writes what follows from the outputs of the page, or its variation. */
+/* Writes the outputs that follow from those of the page, or their variations. */
 static void write_outputs(const double *o, double base, double energy_of_base, tdmf_outputs *outputs) {
     memset(outputs, 0, sizeof *outputs);
     outputs->body = body_of(o, base);

@@ -216,7 +216,7 @@ static bool rises(const tdmf_model *model, const tdmf_page_point *point, const t
                : ground->sine * along + ground->cosine * off > TDMF_DEAD_BAND * model->scales.speed;
 }
 
-/* A line that came into force in the call is the one that is set. */
+/* A line that came into force during the call is the line that the inputs set. */
 static tdmf_ground_line line_in_force(tdmf_system system, const tdmf_page_point *point) {
     const runner_states *x = &point->x;
     const bool is_set = x->height == point->p.ground_height + x->segment_height;
@@ -264,8 +264,7 @@ static double work_of_jump(tdmf_system system, const tdmf_motion *motion) {
                            : tdmf_work_of_change(system.model, motion->state[TDMF_LEG_LENGTH], before, after);
 }
 
-/* The page counts heights from the line in force. From one that is far from the foot, the foot's height would
- * lose digits. */
+/* The page measures heights from the line in force. From a distant line the foot's would lose digits. */
 static double base_of(const tdmf_motion *motion) {
     const double height = motion->mode.ground.height, foot = motion->state[TDMF_FOOT_Y];
     const bool is_far = fabs(foot - height) > fabs(foot) + motion->state[TDMF_LEG_LENGTH];

@@ -23,7 +23,7 @@ typedef struct {
     double time, rest; /* since the motion that was read: the sum of both */
 } tdmf_page_point;
 
-/* Reads a motion under its inputs, which are ramped. */
+/* Reads a motion and its inputs, which are ramped. */
 tdmf_page_point tdmf_page_of_motion(tdmf_system system, const tdmf_inputs *rates, const tdmf_motion *motion);
 
 /* Writes a point that a run of the page has come to into the motion that it began with. A fallen runner keeps

@@ -281,7 +281,7 @@ static int go_on(workspace *space, problem *problem, double left, long limit, re
     }
 }
 
-/* TDMF_RUN_GOES_ON: at a largest value, where no event is due. */
+/* TDMF_RUN_GOES_ON: the step ended at a largest value, and no event is due. */
 static tdmf_run_outcome go_to_root(workspace *space, problem *problem, double left, long limit) {
     tdmf_page_run *run = problem->run;
     realtype time = 0.0;
@@ -300,7 +300,7 @@ static tdmf_run_outcome go_to_root(workspace *space, problem *problem, double le
     return is_due ? TDMF_RUN_STOPPED : time < left ? TDMF_RUN_GOES_ON : TDMF_RUN_ARRIVED;
 }
 
-/* CVODE begins anew at each root: it takes two that are close for an error. */
+/* CVODE is reinitialized at each root, because it takes two close roots for an error. */
 static tdmf_run_outcome begin_anew(problem *problem, double left, long limit) {
     workspace space = {0};
     tdmf_run_outcome outcome = TDMF_RUN_NO_PROGRESS;

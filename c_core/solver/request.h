@@ -15,7 +15,7 @@ static inline bool tdmf_is_tolerance(double relative_tolerance) {
 bool tdmf_is_sound_solver(tdmf_refusal *why, const tdmf_solver *solver);
 bool tdmf_is_sound_system(tdmf_refusal *why, tdmf_system system);
 
-/* Changes of parameters and inputs, at the most so many. */
+/* Checks the seeds, at most `limit` of them. */
 bool tdmf_are_sound_seeds(tdmf_refusal *why, const tdmf_seed *seeds, int count, int limit);
 
 /* A run from a motion to a time. Says why in solver->refusal, if there is a solver. */

@@ -1,5 +1,5 @@
-/* When a search for gaits or an ensemble gives up: a stride that takes too long, or strides in a row that
- * take too many steps. */
+/* Limits at which a search for gaits or an ensemble gives up: the time of a stride, and the steps of strides
+ * in a row. */
 #ifndef TDMF_SOLVER_STRIDE_LIMITS_H
 #define TDMF_SOLVER_STRIDE_LIMITS_H
 
