@@ -64,7 +64,7 @@ def test_what_is_published_is_read_from_its_file():
 
 
 def test_what_is_published_stands_beside_what_is_computed(found):
-    """Where the map is like theirs, and where not: its border is near 70 degrees, and lower for the fast."""
+    """Agreement and difference with their map: the border is near 70 degrees, and lower for fast runners."""
     verdicts = [claim.verdict for claim in guinea_fowl.claims(found)]
     assert verdicts == ["differs", "agrees", "differs", "agrees", "differs", "differs"]
     borders = found.borders(0.05)
