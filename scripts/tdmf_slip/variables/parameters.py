@@ -27,8 +27,8 @@ class HasStartValues(Protocol):
 RunnerLike: TypeAlias = (
     HasStartValues | Model | Mapping[str, Given] | LabelledRow | str | os.PathLike[str] | None
 )
-"""What may be given for a runner: a Runner; a Gait, of which it is the runner; start values by the unit's
-names and in its units, over the unit's own, also as a Series; a model that `load_model` gives; the name of a
+"""Anything that determines a runner: a Runner; a Gait, which has a runner; start values by the unit's names
+and in its units, over the unit's own, also as a Series; a model that `load_model` gives; the name of a
 preset; the path of a parameter file; or None, for the runner of the paper."""
 RUNNER = "a Runner or Gait, start values by name, a preset's name or a parameter file's path"
 """Allowed runners, in words."""

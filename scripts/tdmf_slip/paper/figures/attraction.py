@@ -34,7 +34,7 @@ def table(results: Results) -> pandas.DataFrame:
 
 
 def judged(gaits: Sequence[Gait], own: int) -> pandas.DataFrame:
-    """What gaits attract. `matched` is 1 for all but the first `own` gaits."""
+    """Attraction of gaits. `matched` is 1 for all but the first `own` gaits."""
     rows = judge_all([(gait, None) for gait in gaits], progress=True)
     found = pandas.concat(
         [
