@@ -1,4 +1,4 @@
-/* Heights and frictions from deviates that may hang together. */
+/* Heights and frictions of the ground from deviates that may be correlated. */
 #include "drawn_ground.h"
 
 #include "settings.h"
@@ -7,7 +7,7 @@
 
 typedef double deviate_of_number(uint64_t seed, uint64_t runner, uint32_t number);
 
-/* Sums the deviates of this number and of those before; numbers before the first wrap. */
+/* Weighted sum of the deviates of a number and of the numbers before it; those before 0 wrap. */
 static double weighted(deviate_of_number *deviate, const double *weights, int count, uint64_t seed,
                        uint64_t runner, uint32_t number) {
     double sum = 0.0;

@@ -1,4 +1,4 @@
-/* A runner at an apex: where it begins and where a stride closes, what it is set to, and when it is done. */
+/* A runner at an apex: the start of its run, the end of each stride, its settings, and the end of its run. */
 #include "member.h"
 
 #include "settled.h"
@@ -17,7 +17,7 @@ bool tdmf_give_up(tdmf_member *member, tdmf_fate fate) {
     return false;
 }
 
-/* ---- what is set --------------------------------------------------------------------------------------- */
+/* ---- settings ------------------------------------------------------------------------------------------ */
 
 int64_t tdmf_open_record(const tdmf_member *member) {
     const tdmf_ensemble *ensemble = member->ensemble;
@@ -68,7 +68,7 @@ bool tdmf_member_changes(const tdmf_member *member) {
     return tdmf_has_settings(member) || member->kind->changes(member);
 }
 
-/* ---- where a run begins -------------------------------------------------------------------------------- */
+/* ---- the start of a run -------------------------------------------------------------------------------- */
 
 static double step_limit(const tdmf_ensemble *ensemble) {
     return ensemble->step_limit > 0 ? (double)ensemble->step_limit : (double)TDMF_STEP_LIMIT;
@@ -82,7 +82,7 @@ static void open_stride(tdmf_member *member, double steps_left) {
     *member->until = run->time + member->kind->longest_stride(member);
 }
 
-/* Clears what a run remembers; its counters go on. */
+/* Clears the time, the mode and the events of a run; its counters go on. */
 static void forget(tdmf_member *member) {
     tdmf_page_run *run = member->run;
     run->time = run->time_rest = 0.0;
@@ -92,7 +92,7 @@ static void forget(tdmf_member *member) {
     member->first_event = run->events;
 }
 
-/* On this gait, if it is one. */
+/* Settles the runner on a gait; -1 stands for none. Returns true if the runner has settled. */
 static bool settles(tdmf_member *member, int gait) {
     member->end->gait = gait;
     if (gait >= 0) {
@@ -126,7 +126,7 @@ static bool begin(tdmf_member *member) {
            !settles(member, tdmf_gait_of_ball(member, member->end->apex));
 }
 
-/* Goes on from where it stood at the end of an earlier call. */
+/* Goes on from the checkpoint of an earlier call. */
 static bool go_on(tdmf_member *member) {
     tdmf_ensemble_checkpoint *checkpoint = &member->ensemble->checkpoints[member->index];
     if (!checkpoint->stands || member->end->strides >= member->its_case->rules.max_strides) {
@@ -160,10 +160,9 @@ void tdmf_member_stops(const tdmf_ensemble *ensemble, int64_t index, tdmf_ensemb
     end->fate = TDMF_FATE_STOPPED;
 }
 
-/* ---- where a stride closes ----------------------------------------------------------------------------- */
+/* ---- the end of a stride ------------------------------------------------------------------------------- */
 
-/* Writes a checkpoint. */
-static void stand(const tdmf_member *member) {
+static void write_checkpoint(const tdmf_member *member) {
     if (member->ensemble->checkpoints) {
         tdmf_ensemble_checkpoint *checkpoint = &member->ensemble->checkpoints[member->index];
         memset(checkpoint, 0, sizeof *checkpoint);
@@ -189,11 +188,11 @@ static bool close_stride(tdmf_member *member) {
     }
     if (tdmf_is_raised(member->ensemble->stop)) {
         tdmf_give_up(member, TDMF_FATE_STOPPED);
-        stand(member);
+        write_checkpoint(member);
         return false;
     }
     if (end->strides >= member->its_case->rules.max_strides) {
-        stand(member);
+        write_checkpoint(member);
         return false;
     }
     return member->kind->begin_next(member);

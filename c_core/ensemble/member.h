@@ -1,4 +1,4 @@
-/* One runner of an ensemble, from apex to apex: what all models have in common, and what a kind adds. */
+/* One runner of an ensemble, from apex to apex: the part that all models share, and functions of a kind. */
 #ifndef TDMF_ENSEMBLE_MEMBER_H
 #define TDMF_ENSEMBLE_MEMBER_H
 
@@ -10,20 +10,20 @@ typedef struct tdmf_member_kind tdmf_member_kind;
 typedef struct {
     const tdmf_ensemble *ensemble;
     const tdmf_member_kind *kind;
-    const tdmf_model_kind *model; /* that runs */
+    const tdmf_model_kind *model; /* the page that runs */
     int64_t index;                /* in the ensemble */
-    uint64_t number;              /* by which its ground is drawn */
+    uint64_t number;              /* counter of its random ground and noise */
     const tdmf_ensemble_case *its_case;
     tdmf_ensemble_end *end;
     tdmf_page_run *run;
     double *held;               /* memory for states */
-    double *until;              /* when its stride is given up */
-    bool has_started;           /* else the event of the start is next */
-    double steps_left;          /* for the stride under way, when it began */
-    long steps_before;          /* of the run, when the stride began */
+    double *until;              /* time limit of its stride, s */
+    bool has_started;           /* false: the event of the start is next */
+    double steps_left;          /* step limit of the stride under way */
+    long steps_before;          /* steps of the run when the stride began */
     long first_event;           /* number of the run's first event after the start */
     int64_t events, strides;    /* of all runners in this place */
-    const tdmf_page_part *page; /* of the runner, as all that follows */
+    const tdmf_page_part *page; /* page of the runner; this and the following are not used by other pages */
     const int *places;          /* on the page, of each state of the runner's page; -1: the page has none */
     int begins, apex;           /* events of the page: the start, and where a stride closes */
     tdmf_parameters parameters; /* as they are set */
@@ -31,7 +31,7 @@ typedef struct {
     tdmf_table ground; /* segments of a terrain */
 } tdmf_member;
 
-/* What differs between the runner and the models of other pages. */
+/* The functions in which the runner and the models of other pages differ. */
 struct tdmf_member_kind {
     /* ---- requests */
     bool (*is_sound)(tdmf_refusal *why,
@@ -71,14 +71,14 @@ extern const tdmf_member_kind *const tdmf_runner_kind;
 /* The kind of an ensemble; NULL: the library does not have the model. */
 const tdmf_member_kind *tdmf_kind_of(const tdmf_ensemble *ensemble);
 
-/* Begins at an apex: the start of a runner, or its checkpoint. False where there is nothing to run: `end`
- * says why. */
+/* Begins a run at an apex: the start of the runner, or its checkpoint. Returns false if there is nothing to
+ * run; `end` says why. */
 bool tdmf_member_begin(tdmf_member *member, int64_t index, tdmf_ensemble_end *end);
 
-/* Whether something of the run may change at an apex. */
+/* True if settings, parameters or inputs of the run may change at an apex. */
 bool tdmf_member_changes(const tdmf_member *member);
 
-/* Takes the end of a run: at the start, at an apex, or elsewhere. False where the runner has ended. */
+/* Handles a stop of the run at the start, an apex or elsewhere. Returns false if the runner has ended. */
 bool tdmf_member_goes_on(tdmf_member *member, tdmf_run_outcome outcome);
 
 /* Writes the end of a runner that has not begun because the ensemble was stopped. */
@@ -89,14 +89,16 @@ void tdmf_member_stops(const tdmf_ensemble *ensemble, int64_t index, tdmf_ensemb
 /* The case of a runner. */
 const tdmf_ensemble_case *tdmf_case_of(const tdmf_ensemble *ensemble, int64_t index);
 
-/* Whether a law, or the request, sets anything; and sets it for the stride that begins. */
+/* True if a law or the request changes settings at apices. */
 bool tdmf_has_settings(const tdmf_member *member);
+
+/* Writes the settings of the stride that begins. */
 void tdmf_apply_settings(tdmf_member *member);
 
 /* The number of the stride under way among those that are recorded, over all runners; -1: it is not. */
 int64_t tdmf_open_record(const tdmf_member *member);
 
-/* Writes a fate. Always false. */
+/* Writes a fate. Always returns false. */
 bool tdmf_give_up(tdmf_member *member, tdmf_fate fate);
 
 #endif

@@ -1,5 +1,5 @@
-/* What a request has to be, whatever its model. Names with "[]" take the number of a case, of a runner or of
- * an element. */
+/* Checks of a request that do not depend on its model. Names with "[]" take the number of a case, of a runner
+ * or of an element. */
 #include "request_checks.h"
 
 #include "member.h"
@@ -10,7 +10,7 @@
 #include <stdint.h>
 #include <string.h>
 
-/* Beyond this, sums of products would not be finite. */
+/* Largest number in a request: sums of products of such numbers are finite. */
 static const double largest = 1e100;
 
 /* More runners have no room in memory for their ends. */
@@ -49,7 +49,7 @@ static bool are_settings(tdmf_refusal *why, const char *name, const int *setting
     return true;
 }
 
-/* Coordinates that are measured: the others have neither gain nor noise. */
+/* Gain and noise of the measured coordinates; the other coordinates have none. */
 static bool measures(tdmf_refusal *why, const tdmf_affine_law *law, int coordinates) {
     for (int j = 0; j < TDMF_POINT_LIMIT; ++j) {
         const double most = j < coordinates ? largest : 0.0;
@@ -185,7 +185,7 @@ static bool has_cases(tdmf_refusal *why, const tdmf_ensemble *ensemble) {
     return true;
 }
 
-/* Where strides are noted, and what runners go on from. */
+/* Strides to record: the first one and their number. */
 static bool has_room(tdmf_refusal *why, const tdmf_ensemble *ensemble) {
     return ensemble->strides == NULL ||
            (tdmf_accepts_number(why, "first_stride", "1", ensemble->first_stride, 0.0, INT_MAX) &&

@@ -1,4 +1,4 @@
-/* What a request for runners has to be. */
+/* Checks of a request for runners. */
 #include "runner_checks.h"
 
 #include "patch.h"
@@ -9,7 +9,7 @@
 
 #include <float.h>
 
-/* The ground is not higher nor deeper than that, m. */
+/* Largest height and depth of the ground, m. */
 static const double largest_height = 1e9;
 
 bool tdmf_range_of_setting(const tdmf_ensemble *ensemble, int setting, double *least, double *most) {
@@ -26,7 +26,7 @@ int tdmf_runner_coordinates(const tdmf_ensemble *ensemble) {
     return ensemble->map == TDMF_REDUCED_MAP ? (int)TDMF_REDUCED_COUNT : (int)TDMF_SECTION_COUNT;
 }
 
-/* Nobody else sets what is drawn or has to be constant. */
+/* A value that is drawn, or has to be constant, is set neither by a law nor by the request. */
 static bool is_set_alone(tdmf_refusal *why, const char *name, const char *what,
                          const tdmf_ensemble_rules *rules, const tdmf_ensemble *ensemble) {
     const int setting = tdmf_setting_of(what);
@@ -98,7 +98,7 @@ static bool is_terrain(tdmf_refusal *why, const tdmf_ensemble_case *its_case, co
                            TDMF_EXCLUDED, "cases[].rules.terrain", 0, "it needs level ground and no push");
 }
 
-/* What a gait or the reduced map is made of does not know where it is. */
+/* Gaits and the reduced map do not depend on the place, and a patch of ground does. */
 static bool may_have_patch(tdmf_refusal *why, const tdmf_ensemble_case *its_case,
                            const tdmf_ensemble *ensemble) {
     return tdmf_accepts_if(why,

@@ -1,4 +1,4 @@
-/* What a request for runners has to be: functions of tdmf_member_kind. */
+/* Checks of a request for runners: functions of tdmf_member_kind. */
 #ifndef TDMF_ENSEMBLE_RUNNER_CHECKS_H
 #define TDMF_ENSEMBLE_RUNNER_CHECKS_H
 

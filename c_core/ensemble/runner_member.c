@@ -92,7 +92,7 @@ static double foot_y(const tdmf_member *member) {
     return STATE(member, com_y) - lower * cos(STATE(member, angle));
 }
 
-/* ---- what is set --------------------------------------------------------------------------------------- */
+/* ---- settings ------------------------------------------------------------------------------------------ */
 
 static void set(tdmf_member *member, int setting, double value) {
     tdmf_write_setting(setting, value, &member->parameters, &member->inputs);
@@ -233,7 +233,7 @@ static bool begin_next_stride(tdmf_member *member) {
     return true;
 }
 
-/* ---- where a run begins -------------------------------------------------------------------------------- */
+/* ---- the start of a run -------------------------------------------------------------------------------- */
 
 /* Puts the run at the apex that a runner starts from. Returns false where it is none. */
 static bool is_placed(tdmf_member *member, const double section[TDMF_SECTION_COUNT]) {
@@ -263,7 +263,7 @@ static bool is_placed(tdmf_member *member, const double section[TDMF_SECTION_COU
     return !tdmf_start(system, &motion).variable && motion.record.progress.open.began_at_apex;
 }
 
-/* Whether the coefficients of the first mode tell that it takes too many steps. */
+/* True if damper, springs and inertias of the first mode show that it would take too many steps. */
 static bool is_too_stiff(const tdmf_member *member, double length) {
     const tdmf_model *model = member->its_case->model;
     const tdmf_parameters *p = &model->parameters;
@@ -350,7 +350,7 @@ static void load(tdmf_member *member, const tdmf_ensemble_checkpoint *checkpoint
     }
 }
 
-/* ---- where a stride closes ----------------------------------------------------------------------------- */
+/* ---- the end of a stride ------------------------------------------------------------------------------- */
 
 static void record_apex(tdmf_member *member) {
     tdmf_ensemble_end *end = member->end;
@@ -392,7 +392,7 @@ static void record_stride(const tdmf_member *member, const tdmf_ensemble_end *be
     record->impact_loss = end->impact_loss - before->impact_loss;
 }
 
-/* At an apex of the reduced map whose next stride has no start, the stride before has closed. */
+/* A stride closes at an apex. This includes an apex of the reduced map from which no next stride starts. */
 static bool closes(const tdmf_member *member, tdmf_run_outcome outcome) {
     const tdmf_page_run *run = member->run;
     return outcome == TDMF_RUN_STOPPED ||

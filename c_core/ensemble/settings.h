@@ -4,10 +4,10 @@
 
 #include "ranges.h"
 
-/* The range of a setting; NULL where the number is of none. */
+/* The range of a setting; NULL if there is no setting of this number. */
 const tdmf_range *tdmf_setting_range(int setting);
 
-/* Gives it a value, in the parameters or the inputs. */
+/* Writes the value of a setting into the parameters or the inputs. */
 void tdmf_write_setting(int setting, double value, tdmf_parameters *parameters, tdmf_inputs *inputs);
 
 #endif

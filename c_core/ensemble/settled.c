@@ -1,4 +1,4 @@
-/* A runner has settled near a gait, or in its ball of attraction. */
+/* Tests whether an apex is near a gait, or in its ball of attraction. */
 #include "settled.h"
 
 #include <math.h>

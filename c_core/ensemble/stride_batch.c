@@ -48,7 +48,7 @@ static bool is_reduced(const stride_part *part) {
     return part->batch->map == TDMF_REDUCED_MAP;
 }
 
-/* Begins the run of a stride on its page. */
+/* Copies the run of a stride into the batch of its page. */
 static void begin_run(stride_part *part, int own, int place) {
     tdmf_page_run *run = &part->runs[place];
     part->numbers[place] = own;

@@ -9,13 +9,13 @@ static inline bool tdmf_has_terrain(const tdmf_ensemble_rules *rules) {
     return rules->terrain.length != 0.0;
 }
 
-/* Whether all segments are alike: then there is one, without borders. */
+/* True if all segments are alike. The terrain then is a single segment without borders. */
 bool tdmf_is_one_line(const tdmf_ensemble_rules *rules);
 
-/* Gives the run its terrain, if there is any. */
+/* Attaches the terrain, if there is any, to the run. */
 void tdmf_lay_terrain(tdmf_member *member);
 
-/* Puts a runner that has yet to start on the segment below its foot. */
+/* Puts a runner on the segment below its foot, before the start. */
 void tdmf_enter_terrain(const tdmf_member *member, double foot_x, runner_states *x);
 
 #endif

@@ -70,7 +70,7 @@ def test_a_range_may_be_texts_with_units_wherever_it_is_given(call):
 
 
 def marks(axis):
-    """What is written along an axis, with where it is."""
+    """Labels along an axis, each with its position."""
     axis.figure.draw_without_rendering()
     low, high = sorted(axis.get_view_interval())
     pairs = zip(axis.get_ticklocs(), axis.get_ticklabels(), strict=True)

@@ -293,5 +293,5 @@ def _start_of(given: Any, runner: Runner) -> NDArray[np.float64]:
 
 
 def _is_row(value: object) -> bool:
-    """Whether a value is one for each runner."""
+    """True if a value has an element for each runner."""
     return is_series(value) or isinstance(value, list | tuple) or getattr(value, "ndim", 0) > 0

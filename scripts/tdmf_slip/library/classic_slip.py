@@ -31,8 +31,8 @@ SPACING = 0.02
 FOLD_STEPS = 11
 """Steps in which a fold is followed to a slope and a rate of retraction."""
 Outcome = Literal["flies", "turns back", "slides", "falls", "no start"]
-"""How a step ends: at the next apex, forward or backward; with a foot that slides out; with the mass on the
-ground; or not begun, because the foot is not above the ground at the apex or the energy is too small."""
+"""End of a step: at the next apex, forward or backward; with a foot that slides out; or with the mass on
+the ground. A step has no start if the foot at the apex is below the ground or the energy is too small."""
 FLIES: Outcome = "flies"
 TURNS_BACK: Outcome = "turns back"
 _ENDS: dict[str, Outcome] = {"no_start": "no start", "slides": "slides", "fallen": "falls"}
@@ -40,10 +40,10 @@ _ENDS: dict[str, Outcome] = {"no_start": "no start", "slides": "slides", "fallen
 
 @dataclass(frozen=True)
 class Step:
-    """One step from apex to apex. Without a next apex, what belongs to it is NaN."""
+    """One step from apex to apex. Values at the next apex are NaN if there is none."""
 
     outcome: Outcome
-    """Whether the step has a next apex, and else why not."""
+    """End of the step: at a next apex, or the reason why there is none."""
     touchdown_time: float
     """Time from the apex to touchdown, s."""
     stance_time: float

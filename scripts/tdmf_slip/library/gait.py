@@ -213,7 +213,7 @@ class Gait:
 
     @property
     def unstable(self) -> int:
-        """How many eigenvalues are outside the unit circle."""
+        """Number of eigenvalues outside the unit circle."""
         return int(np.count_nonzero(np.abs(self.eigenvalues) > 1.0))
 
     @property

@@ -62,7 +62,7 @@ def _of_unit_size(weights: NDArray[Any]) -> tuple[float, ...]:
 
 @dataclass(frozen=True)
 class RoughGround:
-    """What a runner meets: steps by which the ground's height changes at its apices, and friction by stride.
+    """Random ground: steps by which its height changes at the apices of a runner, and friction by stride.
 
     Both are drawn by a counter from the seed, the runner's number and the stride's: results do not depend on
     lanes, threads or workers. With a `segment_length` the ground is a terrain instead: level segments, each
@@ -82,9 +82,9 @@ class RoughGround:
     """A step is the sum of weight j times the deviate of j strides before; none: each is its own deviate. See
     `correlated_weights` and `spectrum_weights`."""
     trips: bool = False
-    """Whether the runner falls if its foot is below a step that it meets. By default the foot passes the step
-    on its way up, and the runner falls only if the foot stays below for a whole stride. On a terrain a foot
-    trips where it swings or slips into the face of a segment."""
+    """True if the runner falls when its foot is below a step that it meets. By default the foot passes the
+    step on its way up, and the runner falls only if the foot stays below for a whole stride. On a terrain a
+    foot trips where it swings or slips into the face of a segment."""
     friction_spread: float = 0.0
     """Standard deviation of the logarithm of a stride's friction, about the runner's own."""
     friction_weights: tuple[float, ...] = ()
@@ -118,7 +118,7 @@ class RoughGround:
 
     @property
     def is_drawn(self) -> bool:
-        """Whether anything differs from the ground of the runner's inputs."""
+        """True if the ground differs from that of the runner's inputs."""
         return bool(self.roughness or self.friction_spread or self.segment_length)
 
     @property

@@ -112,7 +112,7 @@ class AffineLaw:
 
     @property
     def is_noisy(self) -> bool:
-        """Whether the sensor adds anything."""
+        """True if the sensor adds noise."""
         return any(self.noise or ())
 
     @cached_property
@@ -220,12 +220,12 @@ def text_of_law(law: Law, apices: NDArray[np.float64] | None = None) -> str:
 
 
 def is_noisy(law: Law | None) -> bool:
-    """Whether the sensors of a law add noise that is drawn by the numbers of runners."""
+    """True if the sensors of a law add noise, which is drawn by the numbers of runners."""
     return isinstance(law, AffineLaw) and law.is_noisy
 
 
 def check_law(law: object, runner: Runner) -> None:
-    """Refuse what is no law, and an affine law that does not fit a runner."""
+    """Refuse a value that is no law, and an affine law that does not fit a runner."""
     if isinstance(law, AffineLaw):
         law.check_fits(runner)
     elif law is not None:

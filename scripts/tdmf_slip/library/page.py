@@ -40,7 +40,7 @@ class Run:
     """A run from a point of a section."""
 
     crossed: bool
-    """Whether the run reached the next crossing of the section."""
+    """True if the run reached the next crossing of the section."""
     mode: str
     """Mode at the end of the run."""
     time: float

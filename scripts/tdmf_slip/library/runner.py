@@ -172,7 +172,7 @@ class Runner(Mapping[str, Value]):
         return len(self.model.names)
 
     def __contains__(self, name: object) -> bool:
-        """Whether a value has this name or short name."""
+        """True if a value has this name or short name."""
         return isinstance(name, str) and self.model.aliases.get(name, name) in self.model.positions
 
     def __hash__(self) -> int:
@@ -180,7 +180,7 @@ class Runner(Mapping[str, Value]):
         return self._hash
 
     def __eq__(self, other: object) -> bool:
-        """Whether another runner has the same values, model and tolerance."""
+        """True if another runner has equal values, an equal tolerance and the same model."""
         if not isinstance(other, Runner):
             return NotImplemented
         mine, its = ((r._hash, r._values, r.tolerance, r.model) for r in (self, other))
@@ -204,7 +204,7 @@ class Runner(Mapping[str, Value]):
 
     @property
     def reduced(self) -> bool:
-        """Whether its model is the reduced map, whose apices are height and speed alone."""
+        """True if the model is the reduced map, whose apices have a height and a speed only."""
         return self.model is MODELS["reduced"]
 
     def label(self, unit: str) -> str:

@@ -64,7 +64,7 @@ class Table(Mapping[str, Any]):
         return self[name]
 
     def __contains__(self, name: object) -> bool:
-        """Whether there is such an array."""
+        """True if the table has an array of this name."""
         return name in self._dimensions
 
     def __iter__(self) -> Iterator[str]:
