@@ -32,12 +32,12 @@ VALIDATE = """
 import math
 from tdmf_slip.cli import validate
 from tdmf_slip.cli.main import main
-from tdmf_slip.paper.claims import Claim, alike
+from tdmf_slip.paper.claims import Claim, both_readings
 from tdmf_slip.paper.reference_gaits import Drift
 from tdmf_slip.paper.validation import Validation
 
-claims = [Claim("speed", "≈ +10 %", alike("≈ +9 %", True))]
-claims += [Claim("SLIP at 44°", "stable", alike("unstable", False))]
+claims = [Claim("speed", "≈ +10 %", both_readings("≈ +9 %", True))]
+claims += [Claim("SLIP at 44°", "stable", both_readings("unstable", False))]
 met = [Drift(0.6, "period", 2.0, 2.0, 3e-9, 1e-6), Drift(0.6, "apex", 1.0, 1.0, 7e-8, 1e-5)]
 met += [Drift(math.nan, name, 0.5, 0.5, 4e-5, 5e-5) for name in ("a border", "of the SLIP")]
 validate.validate = lambda **_: Validation({}, claims, met)

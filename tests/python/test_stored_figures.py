@@ -1,4 +1,4 @@
-"""Data of figures that take minutes, as they are kept: some of it computed anew. Pictures that are kept."""
+"""Stored data of figures, some of it computed anew, and the pictures of the documentation."""
 
 import re
 from types import SimpleNamespace
@@ -47,7 +47,7 @@ def test_gaits_of_a_figure_are_what_is_kept(figure):
 def test_matched_runners_on_rough_ground_are_what_is_kept():
     """Runners matched to the kinematics of friction 0.2 stay up longer with less friction."""
     data = stored("rough")
-    data = data[data["matched"] == 1.0]
+    data = data[data["matched"]]
     friction, low, high = data["friction"], data["mean_strides_low"], data["mean_strides_high"]
     assert tuple(friction) == rough.FRICTIONS
     assert np.all(high[friction >= 2.5] < 140.0) and np.all(low[friction <= 0.3] > 450.0)
@@ -73,7 +73,7 @@ def test_patches_cause_falls_downhill_on_grippy_ground():
 
 
 def test_viable_shares_of_matched_runners_are_what_is_kept():
-    """One runner anew."""
+    """Viable set of one runner, computed anew."""
     data = stored("viability")
     assert tuple(data["friction"]) == viability.FRICTIONS
     for what in ("share", "robustness"):

@@ -6,19 +6,20 @@ from dataclasses import replace
 
 import pytest
 from tdmf_slip.cli import validate as command_module
-from tdmf_slip.paper.claims import CLAMP, FREE, WORDS, Claim, Finding, alike
+from tdmf_slip.paper.claims import CLAMP, FREE, WORDS, Claim, Finding, both_readings
 from tdmf_slip.paper.guinea_fowl import SOURCE
-from tdmf_slip.paper.reference_gaits import Drift
+from tdmf_slip.paper.reference_gaits import Drift, drifts
+from tdmf_slip.paper.reference_gaits import gaits as recorded_gaits
 from tdmf_slip.paper.settling import SettledRun
 from tdmf_slip.paper.validation import Validation
 
 CLAIMS = [
-    Claim("speed", "rises", alike("falls", False), "5.2"),
-    Claim("cost", "least", alike("least", True), "5.2"),
+    Claim("speed", "rises", both_readings("falls", False), "5.2"),
+    Claim("cost", "least", both_readings("least", True), "5.2"),
     Claim("leg", "waits", {FREE: Finding("waits", True), CLAMP: Finding("turns", False)}, "5.1"),
-    Claim("low friction", "no gaits", alike("gaits", False), "5.1", beyond=True),
+    Claim("low friction", "no gaits", both_readings("gaits", False), "5.1", beyond=True),
 ]
-OTHERS = [Claim("patch", "safe", alike("slippery", False), source=SOURCE)]
+OTHERS = [Claim("patch", "safe", both_readings("slippery", False), source=SOURCE)]
 MET = [
     Drift(0.6, "period", 2.0, 2.0, 3e-9, 1e-6, FREE),
     Drift(0.6, "speed", 1.0, 1.0, 5e-9, 1e-6, CLAMP),
@@ -56,6 +57,16 @@ def test_json_has_both_readings_of_every_statement(gaits):
     assert printed["counts"] == {"agrees": 1, "correction": 1, "beyond": 1, "differs": 1}
     assert [claim["source"] for claim in printed["other_papers"]] == [SOURCE]
     assert [drift["passed"] for drift in printed["drifts"]] == [True] * 5 + [False] and not printed["passed"]
+
+
+def test_json_has_deviations_of_a_run_from_its_reference():
+    """The deviations of an apex are computed with arrays, but JSON knows only Python's own numbers."""
+    known = recorded_gaits()[0]
+    values = {name: getattr(known, name) for name in (*QUANTITIES, *COST)}
+    start = {"ground.friction": known.friction, "hip.swing_clamp": known.swing_clamp}
+    run = SettledRun(known.friction, known.word, **values, start_values=start, strides=60, change=0.0)
+    text = json.dumps(Validation({FREE: [run]}, (), drifts(run, known)).as_json())
+    assert [drift["deviation"] for drift in json.loads(text)["drifts"]] == [0.0] * 12
 
 
 def test_the_tables_of_a_validation(gaits):

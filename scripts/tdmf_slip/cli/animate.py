@@ -1,4 +1,4 @@
-"""The command `animate`: a gait that runs."""
+"""The command `animate`: one stride of a gait as an animation."""
 
 from functools import partial
 from pathlib import Path
@@ -13,7 +13,7 @@ from .options import NewPicture, Number, read_gait
 from .runner import Asked
 
 FRAMES = 12, 2000
-"""The least and the most in a stride."""
+"""Smallest and largest number of frames in a stride."""
 
 
 @command(

@@ -1,4 +1,4 @@
-"""The command `basin`: what a gait attracts."""
+"""The command `basin`: the region of attraction of a gait."""
 
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
@@ -71,7 +71,7 @@ def basin_command(
         "word": gait.word,
         "starts": data["fate"].size,
         **fate_counts(data),
-        **_made(data),
+        **_stride_counts(data),
         "settled_share": data.settled_share,
         "settled_area": data.settled_area,
         **{name: value for name, value in data.attrs.items() if name.startswith("ball")},
@@ -81,8 +81,8 @@ def basin_command(
     return Answer(result, _text(result, tuple(axes), DisplayUnits(values=runner)), lambda: data)
 
 
-def _made(data: "xarray.Dataset") -> dict[str, int]:
-    """How many strides were made, and of a preview how many starts were followed."""
+def _stride_counts(data: "xarray.Dataset") -> dict[str, int]:
+    """Number of strides that were computed, and in a preview the number of starts that were followed."""
     strides = data["strides_until_known"].values
     if "is_followed" not in data:
         return {"strides": int(strides.sum())}
@@ -91,7 +91,7 @@ def _made(data: "xarray.Dataset") -> dict[str, int]:
 
 
 def _axes(spans: tuple[str, ...], coordinates: Sequence[str]) -> dict[str, str]:
-    """Ranges of --axes by name, each empty where it is to be around the gait."""
+    """Ranges of --axes by name; an empty text stands for a range around the gait."""
     if len(spans) not in (0, 2):
         raise InputError(f"--axes is given {len(spans)} times; allowed: twice, or not at all")
     parts = [tuple(part.strip() for part in text.partition("=")) for text in spans or AXES]

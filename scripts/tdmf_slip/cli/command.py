@@ -1,4 +1,4 @@
-"""Parts that all commands share: options from signatures and docstrings, and how an answer is shown."""
+"""Parts that all commands share: options from signatures and docstrings, and the output of an answer."""
 
 import functools
 import inspect
@@ -43,7 +43,7 @@ class Answer:
     """Raised once everything is printed and drawn."""
 
     def show(self, as_json: bool, picture: Path | None) -> None:
-        """Print the answer, draw it, and end as it says."""
+        """Print the answer, draw it, and raise its failure if it has one."""
         if as_json or self.text:
             print(json_text(self.plain) if as_json else self.text)
         if picture is not None and self.drawn is not None:
@@ -142,7 +142,7 @@ def command(
 
 
 class Command(click.Command):
-    """A command that refuses what click would take in silence: an option given twice, and 1_0 for 10."""
+    """A command that refuses an option given twice, and 1_0 for 10, which click accepts in silence."""
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
         """Read the command line."""

@@ -1,4 +1,4 @@
-"""The command `compare`: runners matched in what could confound a comparison."""
+"""The command `compare`: runners matched in quantities that could confound a comparison."""
 
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
@@ -79,12 +79,12 @@ def compare_command(
 
 
 def _varied(found: "xarray.Dataset") -> list[str]:
-    """Parameters that are varied, or of which the runners have different values."""
+    """Parameters that are varied, or that differ between the runners."""
     return [str(name) for name in found.coords if name in VARIABLES]
 
 
 def _not_held(found: "xarray.Dataset") -> list[dict[str, Any]]:
-    """Quantities that could not be made equal, with what was wanted and what the runner has."""
+    """Quantities that could not be made equal, with the wanted and the actual value."""
     missed, names = np.argwhere(found["held"].values == 0).tolist(), found["quantity"].values.tolist()
     after = {name: found[name].sel(step="after").values.tolist() for name in names}
     return [

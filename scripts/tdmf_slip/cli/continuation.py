@@ -1,4 +1,4 @@
-"""The command `continue`: a branch of gaits along a parameter, with all that happens on it."""
+"""The command `continue`: a branch of gaits along a parameter, with its bifurcations."""
 
 from collections.abc import Mapping
 from pathlib import Path
@@ -152,7 +152,7 @@ def _branch_object(runner: Runner, parts: "list[xarray.Dataset]") -> dict[str, A
 
 
 def _begins_on(parts: "list[xarray.Dataset]", number: int) -> bool:
-    """Whether a branch begins on the first one: it has twice its strides, and none as short is between."""
+    """True if a branch begins on the first one: it has twice the strides, and none between is as short."""
     first, *others = (int(part["branch_strides"]) for part in parts[: number + 1])
     return others[-1] == 2 * first and min(others) > first
 

@@ -65,7 +65,7 @@ def gait_command(asked: Asked, targets: tuple[str, ...], vary: str | None, plot:
 
 
 def _draw(gait: Gait, path: Path) -> str:
-    """Draw the stance into a file, say where it is, and open it where there is a display."""
+    """Draw the stance into a file, print its path, and open it if there is a display."""
     from ..pictures.plot import write_picture  # matplotlib is slow to load
 
     write_picture(path, gait)

@@ -10,34 +10,34 @@ from typing import NoReturn
 
 Handler = Callable[[int, FrameType | None], object]
 ENDING = tuple(getattr(signal, name) for name in ("SIGTERM", "SIGHUP", "SIGBREAK") if hasattr(signal, name))
-"""Requests to end: what `kill` sends, and what comes when a terminal is closed, on Windows too."""
+"""Requests to end: the signal of `kill`, and those of a terminal that is closed, on Windows too."""
 SIGNALS = (signal.SIGINT, *ENDING)
 """An interrupt from the keyboard, and requests to end."""
 
 
 @dataclasses.dataclass
 class Interrupt:
-    """One that may come while it is held back."""
+    """An interrupt or a request to end that may arrive while it is held back."""
 
     handlers: Mapping[int, Handler]
     """Handlers by the number of the signal."""
-    came: int | None = None
-    """Number of the one that came last."""
+    arrived: int | None = None
+    """Number of the last signal that arrived."""
 
     def record(self, number: int, _frame: object) -> None:
-        """Handle the signal. An exception raised here could be lost: Python ignores those of finalizers."""
-        self.came = number
+        """Record the signal. An exception raised here could be lost: Python ignores those of finalizers."""
+        self.arrived = number
 
     def deliver(self) -> None:
-        """Do what would have been done without this, if one came: by default, raise KeyboardInterrupt."""
-        number, self.came = self.came, None
+        """Call the original handler if a signal arrived; that of Python raises KeyboardInterrupt."""
+        number, self.arrived = self.arrived, None
         if number is not None:
             self.handlers[number](number, None)
 
 
 @contextlib.contextmanager
 def deferred() -> Iterator[Interrupt]:
-    """An interrupt that comes inside is delivered where it is asked for, and at the end."""
+    """Hold interrupts back inside the block; `deliver` and the end of the block pass them on."""
     handlers = {number: signal.getsignal(number) for number in SIGNALS}
     interrupt = Interrupt({number: handler for number, handler in handlers.items() if callable(handler)})
     if threading.current_thread() is not threading.main_thread():
@@ -54,7 +54,7 @@ def deferred() -> Iterator[Interrupt]:
 
 
 def end_in_order() -> None:
-    """Have a request to end this process leave no temporary file: Python would stop where it is."""
+    """End in order on a request to end, so that no temporary file is left. Python would stop at once."""
     for number in ENDING:
         if signal.getsignal(number) == signal.SIG_DFL:  # nohup has SIGHUP ignored
             signal.signal(number, _end)
@@ -65,6 +65,6 @@ def _end(number: int, _frame: object) -> NoReturn:
 
 
 def ignored() -> None:
-    """Neither interrupts nor requests to end are heard any more: Python ends, and is not to be disturbed."""
+    """Ignore interrupts and requests to end from now on, because Python is already ending."""
     for number in SIGNALS:
         signal.signal(number, signal.SIG_IGN)

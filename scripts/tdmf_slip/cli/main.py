@@ -1,7 +1,7 @@
-"""The command `tdmf-slip`: its group of commands, and how it ends.
+"""The command `tdmf-slip`: its group of commands, and its exit status.
 
 Results go to stdout (with --json one JSON object and nothing else), progress and messages to stderr. Exit
-status 0: done; 1: a run failed, or a gait drifted from its reference; 2: something asked for is not possible.
+status 0: done; 1: a run failed, or a gait drifted from its reference; 2: the request is not possible.
 """
 
 import contextlib
@@ -93,7 +93,7 @@ def commands() -> None:
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """Run the command line; the exit status, after one message on stderr where something is wrong."""
+    """Run the command line and return the exit status; an error is one message on stderr."""
     if sys.stdout is None:
         return _complain("stdout is closed, the results cannot be printed", 1)
     encoding.prints_anything()

@@ -1,4 +1,4 @@
-"""The command `new`: begins a page of one's own."""
+"""The command `new`: begins a page of your own."""
 
 from pathlib import Path
 

@@ -79,7 +79,7 @@ def optimize_command(
 
 
 def _text(best: Optimum, display: DisplayUnits) -> str:
-    """A table before and after, and what the optimum is."""
+    """Table before and after the optimization, and the kind of optimum."""
     rows = [
         (
             name,
@@ -117,7 +117,7 @@ def _front_text(objectives: Sequence[str], optima: Sequence[Optimum], display: D
 
 
 def _judgement(best: Optimum) -> str:
-    """One sentence on what the optimum is."""
+    """One sentence on the kind of optimum."""
     maximum = "least" if best.is_minimum else "most"
     if best.why:
         return f"the {maximum} {best.objective} that was found; not shown to be an optimum: {best.why}"

@@ -1,4 +1,4 @@
-"""Types of options, and how texts of options are read."""
+"""Types of options, and functions that read texts of options."""
 
 import importlib
 import os
@@ -28,7 +28,7 @@ SPACINGS: Mapping[str, Callable[[float, float, int], NDArray[np.float64]]] = {
 }
 BYTE_ORDER_MARK = "\ufeff"
 """Byte-order mark with which Windows editors and shells begin a text."""
-GAIT = "what `tdmf-slip gait --json` prints"
+GAIT = "the output of `tdmf-slip gait --json`"
 
 
 def program() -> str:
@@ -60,7 +60,7 @@ def values_of(text: str, spacing: str, variable: Variable, where: str) -> NDArra
 
 
 def range_of(text: str, variable: Variable, where: str, *forms: str) -> tuple[float, float, int | None]:
-    """Both ends of a range of a variable, in its unit, and N, or None where the text has no N."""
+    """Both ends of a range of a variable, in its unit, and N; None if the text has no N."""
     first, *further = parts = text.split(":")
     if len(parts) not in {len(form.split(":")) for form in forms}:
         degrees = "deg" in variable.display_units
@@ -85,7 +85,7 @@ def span_of(name: str, span: str) -> tuple[float, float]:
 
 
 def read_gait(name: str) -> dict[str, Any]:
-    """Start values of a run on a gait, from what `tdmf-slip gait --json` prints."""
+    """Start values of a run on a gait, from the output of `tdmf-slip gait --json`."""
     where = "standard input" if name == "-" else name
     try:
         if name == "-" and sys.stdin is None:

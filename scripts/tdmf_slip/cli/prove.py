@@ -118,7 +118,7 @@ def prove_command(
 
 
 def _answer(plain: dict[str, Any], text: str, proved: bool) -> Answer:
-    """The answer, which ends with exit status 1 where something is undecided."""
+    """The answer; exit status 1 if something is undecided."""
     return Answer(plain, text, failure=None if proved else RunError("undecided"))
 
 

@@ -1,4 +1,4 @@
-"""The command `rough`: how long a runner stays up on rough ground."""
+"""The command `rough`: mean number of strides until a runner falls on rough ground."""
 
 import math
 from typing import Any

@@ -49,10 +49,10 @@ class Asked:
     given: Mapping[str, tuple[str, Given]]
     """Start values that options give, see `values_given`."""
     model: str | None = None
-    """Model of gaits; None: the full one."""
+    """Model of gaits; None is the full one."""
 
     def runner(self, varied: Iterable[str] = ()) -> Runner:
-        """The runner. A start value of what --vary varies is refused."""
+        """The runner; refuses a start value of a variable that --vary varies."""
         for name in varied:
             refuse_given(self.given, name, "--vary")
         starts = start_values(file_values(self.parameters), self.given)

@@ -130,7 +130,7 @@ def _object(runner: Runner, found: Sweep) -> dict[str, Any]:
             for gait, value in zip(gaits_in(gaits), values[there].tolist(), strict=True)
         ],
         "transitions": [
-            {_short(name): value, "from": before, "to": after}
+            {_reported_name(name): value, "from": before, "to": after}
             for value, before, after in zip(
                 *(borders[of].values.tolist() for of in (name, "before", "after")), strict=True
             )
@@ -153,13 +153,13 @@ def _segment(branch: "xarray.Dataset") -> dict[str, object]:
     return {"from": values[0], "to": values[-1], "began": began or None, "ended": ended or None}
 
 
-def _short(name: str) -> str:
-    """How results name a parameter: the friction by that word alone."""
+def _reported_name(name: str) -> str:
+    """Name of a parameter in the results, where the friction is called just that."""
     return "friction" if name == FRICTION else name
 
 
 def _write(path: Path, found: Sweep, plain: dict[str, Any]) -> None:
-    """Into a file whose suffix is one of `FORMATS`."""
+    """Write a sweep into a file whose suffix is one of `FORMATS`."""
     suffix = path.suffix.lower()
     if suffix == NETCDF:
         from ..files.netcdf import write_dataset  # xarray is slow to load
@@ -208,7 +208,7 @@ def _text(found: Sweep, display: DisplayUnits) -> str:
         for value, word, *quantities, largest in zip(*columns, strict=True)
     ]
     unit = display.unit(name)
-    varied = _short(name) if unit in ("", "1") else f"{name} ({unit})"
+    varied = _reported_name(name) if unit in ("", "1") else f"{name} ({unit})"
     period, speed = (
         f"{name} ({display.label(VARIABLES[f'stride.{name}'].unit)})" for name in ("period", "speed")
     )

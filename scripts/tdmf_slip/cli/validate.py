@@ -1,4 +1,4 @@
-"""The command `validate`: what the paper says, beside what is computed for both readings of its swing law."""
+"""The command `validate`: the paper's statements beside results for both readings of its swing law."""
 
 from functools import partial
 from pathlib import Path

@@ -20,7 +20,7 @@ def variables_command() -> Answer:
 
 
 def _object(variable: Variable) -> dict[str, object]:
-    """A variable as a plain object; None where there is no such thing, or no bound."""
+    """A variable as a plain object; None stands for a missing entry or bound."""
     return {
         "name": variable.name,
         "short_name": SHORT_NAMES.get(variable.name),

@@ -1,4 +1,4 @@
-"""The command `viability`: from which apices some choice of actions avoids a fall."""
+"""The command `viability`: the apices from which some choice of actions avoids a fall."""
 
 import csv
 import math

@@ -54,7 +54,7 @@ class Workers:
 
     @property
     def are_given(self) -> bool:
-        """Whether one of the options is given."""
+        """True if one of the options is given."""
         return self.count is not None or self.scheduler is not None
 
     @contextlib.contextmanager
@@ -76,11 +76,11 @@ class Workers:
 
 
 class _DeafProcesses(ProcessPoolExecutor):
-    """Processes that hear no interrupt, not even while they start: they inherit what this thread blocks."""
+    """Processes that ignore interrupts even while they start: they inherit the signals blocked here."""
 
     def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> "Future[Any]":
         """Future of a call, for which a process may start."""
-        if not hasattr(signal, "pthread_sigmask"):  # Windows, where the initializer has to do
+        if not hasattr(signal, "pthread_sigmask"):  # on Windows the initializer has to be enough
             return super().submit(fn, *args, **kwargs)
         before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
         try:
@@ -91,7 +91,7 @@ class _DeafProcesses(ProcessPoolExecutor):
 
 @contextlib.contextmanager
 def _processes(count: int) -> Iterator[Executor]:
-    """Processes that leave an interrupt to this one, which ends them."""
+    """Pool of processes that ignore an interrupt; this process handles it, and ends them."""
     spawn = multiprocessing.get_context("spawn")
     executor = _DeafProcesses(count, spawn, signal.signal, (signal.SIGINT, signal.SIG_IGN))
     try:
@@ -110,7 +110,7 @@ def _terminate_children() -> None:
 
 @contextlib.contextmanager
 def _cluster(scheduler: str) -> Iterator[Executor]:
-    """A cluster whose scheduler forgets at the end what it has not done yet."""
+    """Executor of a cluster; at the end its scheduler drops the work that it has not done yet."""
     try:
         from distributed.utils import silence_logging_cmgr
     except ImportError:
@@ -141,7 +141,7 @@ def _client_at(scheduler: str) -> "Client":
 
 
 def _require_handshake(scheduler: str) -> None:
-    """Raise OSError where something else than Dask listens: a client would await its answer for ever."""
+    """Raise OSError if something else than Dask listens: a client would wait for its answer for ever."""
     from distributed.comm.core import connect
 
     async def shake_hands() -> None:

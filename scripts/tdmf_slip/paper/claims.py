@@ -1,4 +1,4 @@
-"""A published statement beside what is computed for both readings of the swing law (12)."""
+"""A published statement beside computed results for both readings of the swing law (12)."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -30,7 +30,7 @@ class Finding:
     text: str
     """Numbers, with a few words."""
     agrees: bool
-    """Whether it says the same as the published statement."""
+    """True if the result agrees with the published statement."""
 
 
 @dataclass(frozen=True)
@@ -48,9 +48,9 @@ class Claim:
     source: str = PAPER
     """Paper that makes the statement."""
     misprint: bool = False
-    """Whether the statement is about a formula as it is printed."""
+    """True if the statement is about a formula as it is printed."""
     beyond: bool = False
-    """Whether the paper says that it could not compute this."""
+    """True if the paper says that it could not compute this."""
 
     @property
     def group(self) -> Group:
@@ -87,8 +87,8 @@ class Claim:
         }
 
 
-def alike(text: str, agrees: bool) -> dict[str, Finding]:
-    """The same finding for both readings, for what has no swing or does not depend on it."""
+def both_readings(text: str, agrees: bool) -> dict[str, Finding]:
+    """One finding for both readings, if the result does not depend on the swing."""
     return {reading: Finding(text, agrees) for reading in READINGS}
 
 

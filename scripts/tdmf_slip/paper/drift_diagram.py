@@ -1,4 +1,4 @@
-"""Every value of the five gaits beside its recorded reference: how much of what is allowed it is off."""
+"""Deviation of every value of the five gaits from its recorded reference, over the allowed deviation."""
 
 import numpy as np
 from matplotlib.figure import Figure
@@ -13,7 +13,7 @@ OTHER = "of no single gait"
 
 
 def of_validation(found: Validation) -> Figure:
-    """A mark for each value, over the share of the allowed deviation; beyond the line is what differs."""
+    """Draw a mark for each value, over the share of the allowed deviation; values beyond the line differ."""
     drifts = found.drifts
     names = list(dict.fromkeys(_gait(drift) for drift in drifts))
     shares = np.clip([_share(drift) for drift in drifts], SMALLEST, LARGEST)

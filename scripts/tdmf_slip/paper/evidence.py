@@ -1,4 +1,4 @@
-"""Gaits, simulations and perturbed strides of one reading, with which the paper's statements are compared."""
+"""Gaits, simulations and perturbed strides of one reading, to compare with the paper's statements."""
 
 import math
 from collections.abc import Sequence

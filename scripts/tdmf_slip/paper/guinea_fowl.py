@@ -3,8 +3,8 @@
 Clark and Higham (2011): `guinea_fowl.toml` has their words, and the runner that stands for a bird.
 
 A runner on its gait reaches an apex with the patch before it. For this landing the leg is placed at a
-prescribed contact angle, and the friction of the stride is that of the patch; then all is as before. The
-reduced map is used, because its leg is where it is to be placed.
+prescribed contact angle, and the friction of the stride is that of the patch; afterwards both return to their
+former values. The reduced map is used, because its leg comes down exactly at the prescribed angle.
 """
 
 import math
@@ -26,7 +26,7 @@ from ..library.gait import Gait
 from ..library.runner import Runner
 from ..library.strides import plain_stride
 from ..variables.table import FRICTION
-from .claims import Claim, alike
+from .claims import Claim, both_readings
 
 AFTER = 30
 """Strides after the patch: a runner that has made them is up."""
@@ -41,7 +41,7 @@ class PatchOutcomes:
     """Falls and slip of gaits on a patch, by contact angle."""
 
     fell: NDArray[np.float64]
-    """1 or 0, shape (gaits, angles); not a number where the leg cannot be placed so."""
+    """1 or 0, shape (gaits, angles); NaN if the leg cannot be placed at the angle."""
     slip_distance: NDArray[np.float64]
     """Slip distance of the first stride on the patch, m; NaN where the stride does not close."""
 
@@ -251,6 +251,6 @@ def claims(found: Map) -> list[Claim]:
         ),
     ]
     return [
-        Claim(f"{patch}: {what}", published, alike(computed, bool(agrees)), source=SOURCE)
+        Claim(f"{patch}: {what}", published, both_readings(computed, bool(agrees)), source=SOURCE)
         for what, published, computed, agrees in said_and_found
     ]

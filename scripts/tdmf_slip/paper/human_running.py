@@ -16,7 +16,7 @@ from ..library.gait import Gait
 from ..library.quantities import weight_of
 from ..variables.parameters import read_parameters
 from ..variables.variable import Given
-from .claims import CLAMP, FREE, Claim, Finding, alike
+from .claims import CLAMP, FREE, Claim, Finding, both_readings
 
 STIFFNESS, EACH = "leg.stiffness", ("hip.stance_torque", "hip.touchdown_angle")
 JOG, FIT = "human jog", "human at 2.6 to 4.0 m/s"
@@ -98,7 +98,7 @@ def _fast() -> Claim:
     return Claim(
         "human at 20 km/h: leg stiffness of two groups",
         f"{published} kN/m",
-        alike(f"{values[0]:.1f}, {values[1]:.1f} kN/m", agrees),
+        both_readings(f"{values[0]:.1f}, {values[1]:.1f} kN/m", agrees),
         source="Girard 2017",
     )
 
@@ -111,12 +111,12 @@ def _of_fit(found: Fit) -> list[Claim]:
     values = [one.lambda_max for one in found.gaits]
     expected = found.degrees_of_freedom + SCATTER * np.sqrt(2.0 * found.degrees_of_freedom)
     chi_square = f"chi2 {found.chi_square:.1f} of {found.degrees_of_freedom}"
-    fits = alike(
+    fits = both_readings(
         f"one stiffness, {relative:.1f} weights per leg length; {chi_square}",
         bool(found.chi_square <= expected),
     )
     unstable = "all unstable, " if min(values) > 1.0 else ""
-    steady = alike(f"{unstable}eigenvalues {min(values):.2f} to {max(values):.2f}", max(values) < 1.0)
+    steady = both_readings(f"{unstable}eigenvalues {min(values):.2f} to {max(values):.2f}", max(values) < 1.0)
     return [
         Claim(f"{FIT}: frequency and peak force", "eight of each", fits, source=source),
         Claim(f"{FIT}: gait", "steady", steady, source=source),

@@ -14,17 +14,19 @@ from ..library.runner import Runner
 from ..variables.table import FRICTION
 
 HOLD = ("speed", "apex_height", "apex_leg_angle")
-"""Quantities to match. The foot is then equally high at the apex, too."""
+"""Quantities to match. They also make the foot equally high at the apex."""
 VARY = ("hip.stance_torque", "hip.touchdown_angle", "hip.liftoff_angle_factor")
 
 
-def like(reference: Gait, gait: Gait, hold: Sequence[str] = HOLD, vary: Sequence[str] = VARY) -> Gait | None:
-    """A runner made equal to another in what could do what a figure shows."""
+def match_gait(
+    reference: Gait, gait: Gait, hold: Sequence[str] = HOLD, vary: Sequence[str] = VARY
+) -> Gait | None:
+    """The gait of a runner matched to a reference in some quantities; None if they cannot be matched."""
     return _matched([reference, gait], hold, vary)[0]
 
 
-def changed(gait: Gait, values: Mapping[str, float], steps: int = 1) -> Gait | None:
-    """The gait near another, of other values."""
+def gait_with(gait: Gait, values: Mapping[str, float], steps: int = 1) -> Gait | None:
+    """The gait near another, with other values of the runner, approached in steps; None if there is none."""
     begin = {name: gait.runner[name] for name in values}
     for step in range(1, steps + 1):
         runner = gait.runner.replace(
@@ -40,7 +42,7 @@ def changed(gait: Gait, values: Mapping[str, float], steps: int = 1) -> Gait | N
 AFTER = 60
 """Strides beyond a patch after which a runner has survived it."""
 PATCH_BEGIN = 100.0
-"""Where a patch begins, over the leg's length."""
+"""Beginning of a patch, over the leg's length."""
 
 
 def falls_on_patch(gait: Gait, friction: float, length: float, runners: int, seed: int = 0) -> int:
@@ -56,9 +58,9 @@ def falls_on_patch(gait: Gait, friction: float, length: float, runners: int, see
 
 
 def over_friction(gaits: Sequence[Gait], count: int) -> list[Gait]:
-    """Some of the gaits, evenly, made equal to the first; those that cannot be are left out."""
+    """Some of the gaits, evenly, made equal to the first; those that cannot be matched are left out."""
     chosen = [gaits[i] for i in np.linspace(0, len(gaits) - 1, count).round().astype(int)]
-    equal = [like(gaits[0], gait) for gait in chosen]
+    equal = [match_gait(gaits[0], gait) for gait in chosen]
     return [gait for gait in equal if gait is not None]
 
 

@@ -8,7 +8,7 @@ from itertools import pairwise
 import numpy as np
 import pandas
 
-from .claims import WORDS, Claim, Finding, alike
+from .claims import WORDS, Claim, Finding, both_readings
 from .evidence import LEAST_FRICTION, LEG_ANGLE, SLIP_ANGLE, ClassicEvidence, Evidence
 
 STABLE_ANGLES = (40.0, 44.0)
@@ -27,7 +27,7 @@ def classic_claims(evidence: ClassicEvidence) -> list[Claim]:
         Claim(
             "SLIP: touchdown angles with a stable gait",
             f"small range around {low:g}° to {high:g}°",
-            alike(
+            both_readings(
                 f"{lowest:.1f}° to {fold:.2f}°",
                 abs(lowest - low) < NEAR_ANGLE and abs(fold - high) < NEAR_ANGLE,
             ),
@@ -36,7 +36,7 @@ def classic_claims(evidence: ClassicEvidence) -> list[Claim]:
         Claim(
             f"SLIP at {SLIP_ANGLE:g}°: friction needed in stance",
             f"mu > {STANCE_FRICTION:g}",
-            alike(
+            both_readings(
                 f"mu > {stable.stance_friction:.3f}", abs(stable.stance_friction - STANCE_FRICTION) < 0.005
             ),
             "3.2",
@@ -44,7 +44,9 @@ def classic_claims(evidence: ClassicEvidence) -> list[Claim]:
         Claim(
             f"SLIP at {SLIP_ANGLE:g}°: friction needed at impact",
             f"mu > {IMPACT_FRICTION:g}",
-            alike(f"mu > {stable.impact_friction:.2f}", abs(stable.impact_friction - IMPACT_FRICTION) < 0.05),
+            both_readings(
+                f"mu > {stable.impact_friction:.2f}", abs(stable.impact_friction - IMPACT_FRICTION) < 0.05
+            ),
             "3.2",
         ),
     ]
@@ -79,9 +81,9 @@ class Statement:
     judge: Callable[[Evidence], Finding]
     """Comparison for one reading."""
     misprint: bool = False
-    """Whether it is about a formula as it is printed."""
+    """True if the statement is about a formula as it is printed."""
     beyond: bool = False
-    """Whether the paper says that it could not compute this."""
+    """True if the paper says that it could not compute this."""
 
     def claim(self, evidence: Mapping[str, Evidence]) -> Claim:
         """The statement with its findings by reading."""

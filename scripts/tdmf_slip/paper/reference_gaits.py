@@ -42,11 +42,11 @@ class Drift:
     allowed: float
     """Largest deviation that passes."""
     reading: str = ""
-    """Reading of the swing law (12); empty for what has no swing."""
+    """Reading of the swing law (12); empty if there is no swing."""
 
     @property
     def passed(self) -> bool:
-        """Whether the deviation is allowed; NaN never is."""
+        """True if the deviation is allowed; NaN never is."""
         return self.deviation <= self.allowed
 
 
@@ -69,7 +69,7 @@ def gaits() -> tuple[SimpleNamespace, ...]:
 
 def drifts(run: SettledRun, reference: SimpleNamespace) -> list[Drift]:
     """All recorded values of a gait beside their references."""
-    mu, scales = run.friction, Runner(run.start_values).scales
+    mu, scales = run.friction, Runner(run.start_values).scales.tolist()
     reading = CLAMP if reference.swing_clamp else FREE
     found: list[tuple[Any, ...]] = [
         ("word", run.word, reference.word, float(run.word != reference.word), 0.0)

@@ -1,4 +1,4 @@
-"""Runs of the unit until its strides repeat: what the gaits of the return map are held against."""
+"""Runs of the unit until its strides repeat, to check the gaits of the return map."""
 
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass
@@ -25,7 +25,7 @@ WINDOW = 20
 STRIDES = 2 * WINDOW, 6 * WINDOW, 50 * WINDOW
 """Strides of a run, and of longer ones where the runner has not settled by then."""
 MAX_SPREAD = 20.0
-"""How far strides may be from their mean, over what the mean itself may move; noise takes a tenth of that."""
+"""Largest deviation of a stride from the mean, over that of the mean itself; noise takes a tenth of it."""
 APEX = tuple(f"apex.{name}" for name in COORDINATES)
 
 
@@ -52,11 +52,11 @@ class SettledRun:
     apex: tuple[float, ...]
     """Section at the apex, in the order of `COORDINATES`."""
     start_values: Mapping[str, Value]
-    """Everything a run needs to begin at this gait's apex: parameters, friction and state."""
+    """Start values of a run from this gait's apex: parameters, friction and state."""
     strides: int
     """Number of strides in the run."""
     change: float
-    """How far the mean apex moved from the last window of strides but one to the last, over its scales."""
+    """Change of the mean apex from the last window of strides but one to the last, over its scales."""
 
     def as_json(self) -> dict[str, object]:
         """The run as a plain object."""
@@ -101,7 +101,7 @@ def settle_fmu(
 
 
 def _obstacle(run: Run, runner: Runner, allowed: float) -> tuple[float, str]:
-    """How far the mean apex moved from window to window, and why the gait has not settled, in words."""
+    """Change of the mean apex from window to window, and in words why the gait has not settled."""
     rows = np.flatnonzero(np.diff(run.table["stride.count"]) > 0)[-2 * WINDOW :] + 1
     apexes = np.stack([run.table[name][rows] for name in APEX], axis=1)
     windows = apexes.reshape(2, WINDOW, -1) / runner.scales

@@ -1,4 +1,4 @@
-"""The paper's gaits and statements, for both readings of its swing law, beside what is computed."""
+"""The paper's gaits and statements beside computed ones, for both readings of its swing law."""
 
 import math
 from collections.abc import Mapping, Sequence
@@ -39,7 +39,7 @@ class Validation:
 
     @property
     def passed(self) -> bool:
-        """Whether all computed values are near enough to their references, and our own claims hold."""
+        """True if all computed values are near enough to their references, and our own claims hold."""
         return all(drift.passed for drift in self.drifts) and self.own.passed
 
     @property
@@ -74,7 +74,7 @@ class Validation:
         Parameters
         ----------
         program : str, default "tdmf-slip"
-            How the command is called in the commands that are printed.
+            Name of the command in the commands that are printed.
 
         Returns
         -------
@@ -107,7 +107,7 @@ class Validation:
         return "\n".join([table([*header, "verdict"], rows), *notes])
 
     def _counted(self) -> str:
-        """How many statements are in each group, in words."""
+        """Number of statements in each group, in words."""
         names = {
             Group.AGREES: "agree",
             Group.CORRECTION: "depend on the correction of a misprint",

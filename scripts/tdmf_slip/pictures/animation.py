@@ -1,4 +1,4 @@
-"""One stride as an animation that loops: the leg as a spring, and on the ground where the foot slipped.
+"""One stride as an animation that loops: the leg as a spring, and marks on the ground where the foot slipped.
 
 It is a GIF, an MP4 where ffmpeg is, or a page of HTML that needs nothing else: the frames, a slider, and a
 script of a few lines. Matplotlib's own page fetches its buttons from elsewhere.
@@ -52,7 +52,7 @@ class PageWriter(AbstractMovieWriter):
 
 FRAMES = 120
 FRAMES_ALLOWED = 12, 2000
-"""The least and the most in a stride."""
+"""Smallest and largest number of frames in a stride."""
 FRAMES_PER_SECOND = 20
 DOTS_PER_INCH = 100
 SIZE = (8.0, 4.0)
@@ -62,9 +62,9 @@ LOW = -0.42
 MAX_REPEATED = 50
 """Strides drawn on either side; a shorter one is none."""
 SLOWED = 40.0
-"""How many times more frames a unit of time gets in the stance than in flight."""
+"""Ratio of frames per unit of time in the stance to those in flight."""
 HEADROOM = 0.15
-"""Shown above the highest position of body and foot, over l0."""
+"""Space above the highest position of body and foot, over l0."""
 FORMATS = (".gif", ".mp4", ".html")
 FORCE_SCALE = 1.5
 """Length of a force arrow, over l0, for a force k l0."""

@@ -110,7 +110,7 @@ def _title(data: "xarray.Dataset", settled: NDArray[np.bool_]) -> str:
 
 
 def _at_friction(values: Mapping[str, Any]) -> str:
-    """The friction of a runner's ground, as the beginning of a title; empty for a model without one."""
+    """Beginning of a title: the friction of a runner's ground; empty for a model without friction."""
     return f"friction {values[FRICTION]:g}, " if FRICTION in values else ""
 
 
@@ -156,7 +156,7 @@ def _mark_small(
 
 
 def _label(data: "xarray.Dataset", axis: str) -> str:
-    """With the unit, in SI units also how much of it the runner's own scale is."""
+    """Label with its unit; in SI units it also gives the runner's own scale."""
     unit, values = data[axis].attrs["units"], runner_in(data)
     label = style.with_unit(_in_words(axis), paper_units.label(unit, values))
     has_scales = set(paper_units.SCALES) <= values.keys()
@@ -169,7 +169,7 @@ def _label(data: "xarray.Dataset", axis: str) -> str:
 DRAWN = ("com_height", "com_speed")
 """Coordinates of the apices."""
 MAX_LINES = 20
-"""Runners that are drawn one by one; of more their median, and where nine of ten are."""
+"""Largest number of runners drawn one by one; of more, the median and the middle nine tenths are drawn."""
 REPORTED = ("speed", "cost_of_transport")
 """Quantities of a run's last stride that are drawn."""
 
@@ -209,7 +209,7 @@ def _draw_runners(axes: Axes, values: NDArray[np.float64]) -> None:
 
 
 def of_runs(runs: "xarray.Dataset") -> Figure:
-    """Speed and cost of transport of each run's last stride, over what the runners differ in."""
+    """Speed and cost of transport of each run's last stride, over the parameter that differs."""
     name = next((str(name) for name in runs.coords if len(np.unique(runs[name])) > 1), None)
     numeric = name is not None and runs[name].dtype.kind in "iuf"
     along = runs[name].values if name is not None and numeric else np.arange(len(runs["fallen"]))

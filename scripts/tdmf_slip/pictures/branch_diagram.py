@@ -25,11 +25,11 @@ from . import style
 from .style import CurveLabel
 
 DRAWN = "com_speed"
-"""The quantity that is drawn unless another is asked for; of a model without it its first coordinate."""
+"""Quantity drawn by default; for a model without it, its first coordinate."""
 MIN_SHOWN, LARGEST_SHOWN = 1.15, 4.0
 """Least and largest reach of the axis of eigenvalues."""
 COLOURS = (style.CURVE, style.SECOND_CURVE, "#8a5a00", "#5b2a86")
-"""Colours of lines, by how often the period was doubled."""
+"""Colours of lines, by the number of period doublings."""
 MARKS: dict[str, dict[str, Any]] = {
     WORD_BORDER: {"marker": "|", "color": style.FAINT, "markersize": 9, "markeredgewidth": 1.4},
     FOLD: {"marker": "o", "color": style.MODE_COLOURS["slip_negative"], "markersize": 6.5},
@@ -102,7 +102,7 @@ def _colour(branch: xarray.Dataset) -> str:
 
 
 def _bound(axes: Axes) -> None:
-    """Eigenvalues may be large beside an event that is just touched: what matters is around 1."""
+    """Limit the axis of eigenvalues to values around 1; they may be huge beside a grazed event."""
     axes.set_ylim(0.0, float(np.clip(axes.get_ylim()[1], MIN_SHOWN, LARGEST_SHOWN)))
 
 
@@ -128,7 +128,7 @@ def _draw(axes: Axes, branch: xarray.Dataset, quantity: str) -> None:
 
 
 def _stable_segments(branch: xarray.Dataset) -> Iterator[bool]:
-    """Whether the gaits between neighbouring points are stable, by the gaits and bifurcations around them."""
+    """Stability of the gaits between neighbouring points, from the gaits and bifurcations around them."""
     specials, unstable = branch["special"].values, branch["unstable"].values
     gaits = np.flatnonzero(specials == "")
     for before, after in pairwise(gaits):
@@ -141,7 +141,7 @@ def _stable_segments(branch: xarray.Dataset) -> Iterator[bool]:
 
 
 def _write_words(axes: Axes, branch: xarray.Dataset, quantity: str) -> None:
-    """Each word beside the middle of where it holds, unless that is too short to be seen."""
+    """Write each word beside the middle of its stretch of the branch, unless the stretch is too short."""
     first = int(branch["branch_strides"]) == 1
     points = np.column_stack([branch[branch.over].values, values_of(branch, quantity)[:, 0]])
     for word, run in _runs_of_words(branch, points):

@@ -1,4 +1,4 @@
-"""Eigenvalues beside the unit circle, and what settings or a proof do with them."""
+"""Eigenvalues beside the unit circle, with the effect of settings or the enclosures of a proof."""
 
 from __future__ import annotations
 
@@ -109,7 +109,7 @@ def _bars(axes: Axes, rows: NDArray[np.float64], names: Sequence[str], columns: 
 
 
 def _radii(axes: Axes, names: Sequence[str], radii: Sequence[float], values: Mapping[str, Exact]) -> None:
-    """How far enclosures go to both sides of their middles."""
+    """Half-widths of enclosures."""
     variables = VARIABLES
     floats = {name: float(values[name].rational) for name in paper_units.SCALES if name in values}
     units = {

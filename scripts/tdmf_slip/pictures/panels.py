@@ -1,4 +1,4 @@
-"""One stride of a gait, normalised as in the paper, and cut into contact modes: what the pictures draw."""
+"""One stride of a gait, normalised as in the paper, and cut into contact modes, for the pictures."""
 
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
@@ -120,9 +120,9 @@ TIME_LABEL = "time t (√(m/k))"
 VELOCITY_LABEL = "foot velocity ẋ (l₀√(k/m))"
 RATIO_LABEL = r"force ratio $f_x/f_y$"
 MARGIN = 0.08
-"""Shown before and after the stance, over its length."""
+"""Time shown before and after the stance, over the duration of the stance."""
 SHORT = 0.004
-"""A mode that lasts less than this share of what is shown gets a dot: its line would not be seen."""
+"""Share of the shown time below which a mode gets a dot, because its line would be too short to see."""
 
 
 def mark_stance(axes: Axes, stride: Stride) -> None:

@@ -15,7 +15,7 @@ from . import style
 
 
 class Picture(NamedTuple):
-    """How a kind of result is drawn."""
+    """Drawing function for a kind of result."""
 
     draw: str
     """Module and function."""

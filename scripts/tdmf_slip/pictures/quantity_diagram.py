@@ -77,7 +77,7 @@ def of_attraction(proof: Attraction) -> Figure:
 
 LAMBDA_MAX = "lambda_max"
 ZERO = 1e-12
-"""A value of a reference that is as small has no relative change."""
+"""Smallest value of a reference for which a relative change is drawn."""
 HEIGHT, BAR = 1.6, 0.2
 """Heights of a figure without bars, and of a row of bars, inches."""
 
@@ -100,7 +100,7 @@ def of_optimum(found: Optimum) -> Figure:
 
 
 def of_comparison(data: xarray.Dataset) -> Figure:
-    """How the matched runners' quantities differ from the reference's; those that are held are bold."""
+    """Differences between the matched runners' quantities and the reference's; held quantities are bold."""
     after = data.sel(step="after")
     names = [name for name in (*QUANTITIES, LAMBDA_MAX) if np.isfinite(after[name]).any()]
     reference, *others = (
@@ -143,7 +143,7 @@ def _changes(
     others: Mapping[str, Mapping[str, float]],
     bold: Sequence[str] = (),
 ) -> None:
-    """Relative changes in per cent, as bars; what the reference has none of is named without one."""
+    """Draw relative changes in per cent, as bars; a quantity that is zero in the reference has no bar."""
     names = list(reference)
     width = 0.8 / max(1, len(others))
     for number, (label, values) in enumerate(others.items()):

@@ -60,7 +60,7 @@ MODE_NAMES: Mapping[str, str] = {
 }
 
 PRINTED: Mapping[str, str] = {"l0": "l₀", " sqrt": "√", "sqrt": "√", "^2": "²", "^4": "⁴", ".": "·", "2": "²"}
-"""How parts of a unit are printed, replaced in this order."""
+"""Parts of a unit and their printed form, replaced in this order."""
 
 LETTERS: Mapping[str, str] = {"stick": "0", "slip_positive": "+", "slip_negative": "−"}
 """Letters of the gait word."""

@@ -1,4 +1,4 @@
-"""Two measures of a gait's stability against friction: its largest eigenvalue, and what it attracts."""
+"""Two measures of a gait's stability against friction: largest eigenvalue and region of attraction."""
 
 from collections.abc import Sequence
 
@@ -34,7 +34,7 @@ def table(results: Results) -> pandas.DataFrame:
 
 
 def judged(gaits: Sequence[Gait], own: int) -> pandas.DataFrame:
-    """Attraction of gaits. `matched` is 1 for all but the first `own` gaits."""
+    """Attracted shares and largest disturbances. `matched` is 1 for all but the first `own` gaits."""
     rows = judge_all([(gait, None) for gait in gaits], progress=True)
     found = pandas.concat(
         [

@@ -35,7 +35,7 @@ from .data import Results
 
 
 class Entry(NamedTuple):
-    """How a figure is made."""
+    """Data and drawing of a figure."""
 
     table: Callable[[Results], pandas.DataFrame]
     """Computes the data that are written as CSV, or stored."""
@@ -103,7 +103,7 @@ def draw(
     how: dict[str, Any] = {"look": look, "width": width, "dots_per_inch": dots_per_inch}
     for begin in only:
         if not any(name.startswith(begin) for name in FIGURES):
-            raise InputError(f"only {begin}: no such figure; allowed: {', '.join(FIGURES)}")
+            raise InputError(f"--only {begin}: no such figure; allowed: {', '.join(FIGURES)}")
     chosen, found = [name for name in FIGURES if name.startswith(tuple(only))], results(measure)
     folder.mkdir(exist_ok=True)
     written: list[Path] = []

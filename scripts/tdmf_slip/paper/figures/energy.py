@@ -1,4 +1,4 @@
-"""Why slipping pays: where the hip's work goes, per weight and stride length, against friction."""
+"""Losses that the hip's work pays for, per weight and stride length, against friction."""
 
 from functools import partial
 

@@ -13,7 +13,7 @@ from ...feedback.judgement import RUNNERS, Judgement, judge_all
 from ...library.gait import Gait
 from ...pictures import style
 from ...pictures.style import CurveLabel
-from ..matched import like
+from ..matched import match_gait
 from .attraction import PUSHES_AND_STEPS, shares
 from .data import Results, table_of
 from .over_friction import draw_means, friction_axis
@@ -72,7 +72,7 @@ def table(results: Results) -> pandas.DataFrame:
     for name in COLOURS:
         for friction, gait in gaits.items():
             law = designed[friction][name]
-            one = like(results.gait(REFERENCE), gait) if name == MATCHED else gait
+            one = match_gait(results.gait(REFERENCE), gait) if name == MATCHED else gait
             if one is not None:
                 trials.append((name, one, law and replace(law, noise=noise, seed=SEED)))
     pairs = [(gait, law) for _, gait, law in trials]

@@ -94,7 +94,7 @@ def _starts(space: Space, runner: Runner, near: Sequence[Optimum]) -> Iterator[G
 
 
 def draw(results: Results) -> Figure:
-    """Draw cost and slip of both runners against friction, and what the cheapest one does.
+    """Draw cost and slip of both runners against friction, and the drive of the cheapest one.
 
     Runners that are not shown to be optima are left out.
     """

@@ -17,7 +17,7 @@ CONTROL = {
     "zorder": 3,
     "label": "speed, apex height and leg angle of the gait at friction 10",
 }
-"""Look of matched runners."""
+"""Line style of matched runners."""
 HEIGHTS, LEADER = np.linspace(0.05, 0.95, 19), 14.0
 """Places for the word of a narrow range: shares of the axes' height, and points beside its border."""
 NARROW = 1.02

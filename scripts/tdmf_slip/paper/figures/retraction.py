@@ -12,7 +12,7 @@ from ...analysis.special_points import FOLD, PERIOD_DOUBLING
 from ...library.gait import Gait
 from ...pictures import style
 from ..along import Row, followed
-from ..matched import changed, like
+from ..matched import gait_with, match_gait
 from .data import LEADING, Results, table_of
 
 RATE = "hip.retraction_rate"
@@ -47,8 +47,8 @@ def matched(reference: Gait) -> list[Row]:
     """Gaits with retraction that are matched to the one without."""
     one, found = reference, []
     for rate in RATES:
-        near = changed(one, {RATE: rate}, 2)
-        one = (near and like(reference, near)) or one
+        near = gait_with(one, {RATE: rate}, 2)
+        one = (near and match_gait(reference, near)) or one
         if one.runner[RATE] == rate:
             found.append(Row(rate, "", one))
     return found

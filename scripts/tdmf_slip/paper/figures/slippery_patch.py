@@ -11,7 +11,7 @@ from ...library.runner import Runner
 from ...pictures import style
 from ...pictures.style import CurveLabel
 from ...variables.table import FRICTION
-from ..matched import falls_on_patch, like
+from ..matched import falls_on_patch, match_gait
 from .data import Results
 
 SLOPE = -4.0
@@ -20,7 +20,7 @@ OUTSIDE = (10.0, 1.2, 0.6)
 """Frictions of the ground around the patch."""
 ON_PATCH = np.linspace(0.0, 0.1, 11)
 LENGTHS = np.geomspace(100.0, 2000.0, 14)
-"""Lengths of the patch, m."""
+"""Lengths of the patch, over that of the leg."""
 RUNNERS = 32
 MATCHED = ("hip.stance_torque", "hip.touchdown_angle")
 COLOURS = ("#22303c", "#0b7a75", "#e07b00")
@@ -34,7 +34,7 @@ def gaits(runner: Runner) -> list[tuple[Gait, bool]]:
     """Gaits on each ground, and gaits matched in speed and apex height to the last ground's, with True."""
     its = runner.replace({"ground.slope": float(np.radians(SLOPE))})
     own = [periodic_gait(its.replace({FRICTION: friction})) for friction in OUTSIDE]
-    alike = (like(own[-1], gait, ("speed", "apex_height"), MATCHED) for gait in own[:-1])
+    alike = (match_gait(own[-1], gait, ("speed", "apex_height"), MATCHED) for gait in own[:-1])
     return [*((gait, False) for gait in own), *((gait, True) for gait in alike if gait is not None)]
 
 

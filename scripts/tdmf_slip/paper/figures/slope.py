@@ -14,7 +14,7 @@ from ...library.runner import Runner
 from ...pictures import style
 from ...variables.table import FRICTION
 from ..along import Followed, followed
-from ..matched import changed, like
+from ..matched import gait_with, match_gait
 from .data import LEADING, Results, table_of
 
 SLOPE = "ground.slope"
@@ -57,7 +57,7 @@ def matched(runner: Runner) -> Gaits:
     reference, *others = (periodic_gait(runner.replace({FRICTION: friction})) for friction in COLOURS)
     found = {}
     for gait in others:
-        alike = like(reference, gait)
+        alike = match_gait(reference, gait)
         if alike is not None:
             down, up = (tuple(_stepped(alike, step)) for step in (-STEP, STEP))
             found[gait.friction] = (*down[::-1], (0.0, alike), *up)
@@ -66,11 +66,11 @@ def matched(runner: Runner) -> Gaits:
 
 def _stepped(gait: Gait, step: float) -> Iterator[tuple[float, Gait]]:
     """Yields slopes with gaits, each found from the one before."""
-    slope, one = step, changed(gait, {SLOPE: step})
+    slope, one = step, gait_with(gait, {SLOPE: step})
     while one is not None and LOWEST <= slope <= HIGHEST:
         yield slope, one
         slope += step
-        one = changed(one, {SLOPE: slope})
+        one = gait_with(one, {SLOPE: slope})
 
 
 def _to_the_top(branch: Followed) -> tuple[tuple[float, Gait], ...]:

@@ -18,7 +18,7 @@ SIZE = (8.4, 6.3)
 LEFT, WIDTH = 0.09, 0.89
 """Place of the stance and of the foot's path below it, over the figure's width."""
 HALF_WIDTH, HEIGHT, DEPTH = 1.12, 0.92, 0.05
-"""Shown of the stance, over l0: to either side of its middle, above and below the ground."""
+"""Limits of the stance's axes, over l0: to either side of its middle, above and below the ground."""
 
 
 def draw(results: Results) -> Figure:

@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 from ...library.gait import Gait
 from ...pictures import style
 from ..along import Followed, followed
-from ..matched import changed, like
+from ..matched import gait_with, match_gait
 from .data import LEADING, Results, table_of
 
 TORQUE, THRUST, ANGLE = "hip.stance_torque", "leg.thrust", "hip.touchdown_angle"
@@ -63,8 +63,8 @@ def matched(by_hip: Sequence[Gait]) -> Iterator[Gait]:
     stable = [gait for gait in by_hip if gait.stable]
     for speed in SPEEDS:
         reference = min(stable, key=lambda gait: abs(gait.stride["speed"] - speed))
-        near = changed(reference, {THRUST: HELPED}, 2)
-        one = near and like(reference, near, ("speed", "apex_height"), (TORQUE, ANGLE))
+        near = gait_with(reference, {THRUST: HELPED}, 2)
+        one = near and match_gait(reference, near, ("speed", "apex_height"), (TORQUE, ANGLE))
         if one:
             yield one
 

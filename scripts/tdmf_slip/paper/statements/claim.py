@@ -14,7 +14,7 @@ from ...library.gait import Gait
 from ...variables.parameters import read_parameters
 from ...variables.table import FRICTION
 from ...variables.variable import Given
-from ..matched import HOLD, VARY, changed, like
+from ..matched import HOLD, VARY, gait_with, match_gait
 
 Arguments = ParamSpec("Arguments")
 Found = TypeVar("Found")
@@ -114,12 +114,12 @@ class Row:
 
     @property
     def above(self) -> bool:
-        """Whether the interval of the value lies above that of the control."""
+        """True if the interval of the value lies above that of the control."""
         return _number(self.value).low > _number(self.control).high
 
     @property
     def below(self) -> bool:
-        """Whether the interval of the value lies below that of the control."""
+        """True if the interval of the value lies below that of the control."""
         return _number(self.value).high < _number(self.control).low
 
     @property
@@ -137,7 +137,7 @@ def _number(cell: Cell | None) -> Estimate:
 Rows = Mapping[str, Row]
 """Rows by the name of their regime."""
 Condition = Callable[[Rows], bool]
-"""Says of the rows of a claim whether a part of it is true."""
+"""Decides from the rows of a claim whether a part of it is true."""
 
 
 def above(*names: str) -> Condition:
@@ -172,7 +172,7 @@ def ratio(low: float, high: float, *names: str) -> Condition:
 
 @dataclass(frozen=True)
 class Check:
-    """How a claim is recomputed and judged."""
+    """Computations and conditions of a claim."""
 
     measure: Measure
     """Computes the value for a regime and a seed."""
@@ -189,7 +189,7 @@ def check(measure: Measure, control: Measure | None, *conditions: Condition) -> 
 
 @dataclass(frozen=True)
 class OwnClaim:
-    """A claim of this project, and how it is checked."""
+    """A claim of this project, with its check."""
 
     name: str
     """Anchor of the claim on the page of results."""
@@ -215,7 +215,7 @@ def _cell(measure: Measure, regime: Regime, seed: int) -> Cell:
         return str(error)
 
 
-def remembered(compute: Callable[Arguments, Found]) -> Callable[Arguments, Found]:
+def cached_with_errors(compute: Callable[Arguments, Found]) -> Callable[Arguments, Found]:
     """A cache that also keeps errors, because finding out that there is no gait takes longest."""
     known: dict[object, Found | RunError] = {}
 
@@ -250,20 +250,20 @@ def over_length(of: Callable[[Regime], Gait], quantity: str) -> Measure:
     return solved(lambda regime: of(regime).stride[quantity] / of(regime).runner["leg.free_length"])
 
 
-@remembered
+@cached_with_errors
 def gait(regime: Regime, friction: float, **others: Given | None) -> Gait:
     """The gait at a friction. Other values, unless None, by the unit's names with `__` for the dot."""
     values = {name.replace("__", "."): value for name, value in others.items() if value is not None}
     return periodic_gait({**regime.values, **values, FRICTION: friction})
 
 
-@remembered
+@cached_with_errors
 def stable_gait(regime: Regime, friction: float) -> Gait:
     """The gait at a friction; an unstable gait raises RunError."""
     return _stable(gait(regime, friction))
 
 
-@remembered
+@cached_with_errors
 def matched(regime: Regime, reference: float, other: float) -> Gait:
     """The runner on friction `other`, equal to the runner on friction `reference`; see `equal_to`."""
     return equal_to(stable_gait(regime, reference), gait(regime, other))
@@ -278,8 +278,8 @@ def equal_to(reference: Gait, other: Gait) -> Gait:
 
 
 def made_equal(reference: Gait, other: Gait, hold: Sequence[str] = HOLD, vary: Sequence[str] = VARY) -> Gait:
-    """The other runner with the quantities `hold` of the reference, stable or not; see `matched.like`."""
-    found = like(reference, other, hold, vary)
+    """The other runner with the quantities `hold` of the reference, stable or not; see `match_gait`."""
+    found = match_gait(reference, other, hold, vary)
     if found is None:
         raise RunError("no matched runner")
     return found
@@ -287,7 +287,7 @@ def made_equal(reference: Gait, other: Gait, hold: Sequence[str] = HOLD, vary: S
 
 def changed_to(one: Gait, name: str, value: float, steps: int) -> Gait:
     """The gait near another with one value changed, approached in steps."""
-    found = changed(one, {name: value}, steps)
+    found = gait_with(one, {name: value}, steps)
     if found is None:
         raise GaitNotFoundError(f"{name} = {value:g}")
     return found

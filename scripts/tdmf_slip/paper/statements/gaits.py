@@ -38,6 +38,7 @@ from .claim import (
     above,
     below,
     between,
+    cached_with_errors,
     changed_to,
     check,
     equal_to,
@@ -46,7 +47,6 @@ from .claim import (
     matched,
     over_length,
     ratio,
-    remembered,
     solved,
     stride_quantity,
 )
@@ -94,7 +94,7 @@ def _cost_check(cost: str, friction: float, *conditions: Condition) -> Check:
 
 
 def _drop(regime: Regime) -> float:
-    """How far the spectral radius falls below what it was at a greater friction."""
+    """Largest drop of the spectral radius below its value at a greater friction."""
     radii = np.array([one.lambda_max for one in swept(regime).gaits])
     return round(float(np.max(np.maximum.accumulate(radii) - radii)), 6)
 
@@ -169,7 +169,7 @@ SLIDING, RATIO, VELOCITY = 0.3, 2.0, 0.1
 """Sliding friction, static over sliding friction, and the velocity over which it falls, over l0 sqrt(k/m)."""
 
 
-@remembered
+@cached_with_errors
 def _falling(regime: Regime) -> Gait:
     scale = gait(regime, SLIDING).runner.scales[1]
     return gait(
@@ -184,7 +184,7 @@ def _static(regime: Regime) -> Gait:
     return gait(regime, RATIO * SLIDING)
 
 
-@remembered
+@cached_with_errors
 def _equal_to_falling(regime: Regime) -> Gait:
     return equal_to(_falling(regime), _static(regime))
 
@@ -228,7 +228,7 @@ def _level(regime: Regime, friction: float, reference: float | None, angle: floa
     return gait(regime, friction, hip__touchdown_angle=angle)
 
 
-@remembered
+@cached_with_errors
 def climb(regime: Regime, friction: float, reference: float | None, angle: float | None) -> tuple[Gait, ...]:
     """Gaits up to the fold at which the branch from level ground turns back."""
     found, step = [_level(regime, friction, reference, angle)], FIRST
@@ -321,13 +321,13 @@ HELPED = 0.1
 """Thrust, over the leg's length."""
 
 
-@remembered
+@cached_with_errors
 def by_torque(regime: Regime) -> Gait:
     """The runner whose torque gives the speed."""
     return _at_speed(regime, TORQUE, 0.0)
 
 
-@remembered
+@cached_with_errors
 def by_thrust(regime: Regime) -> Gait:
     """The runner whose thrust, added to its torque, gives the speed."""
     return _at_speed(regime, THRUST, HELPED)
@@ -343,7 +343,7 @@ def _at_speed(regime: Regime, name: str, added: float) -> Gait:
         raise GaitNotFoundError(str(error)) from error
 
 
-@remembered
+@cached_with_errors
 def as_high(regime: Regime) -> Gait:
     """The runner with thrust that has the speed and apex height of the runner driven by torque."""
     reference = by_torque(regime)
@@ -388,7 +388,7 @@ HUMAN_BOUNDS: Mapping[str, tuple[float, float]] = {
 """Speed in m/s, largest spectral radius, and what may vary, of the human preset."""
 
 
-@remembered
+@cached_with_errors
 def _best(regime: Regime, friction: float, quantity: str) -> Optimum:
     """The runner with the least value of a quantity; the search begins at the regime's own runner."""
     is_human = regime is HUMAN

@@ -39,7 +39,7 @@ class Recomputed:
 
     @property
     def holds(self) -> bool:
-        """Whether the claim is true; false if it needs a number that does not exist."""
+        """True if the claim holds; false if it needs a number that does not exist."""
         try:
             return all(holds(self.rows) for holds in self.claim.check.conditions)
         except RunError:
@@ -85,7 +85,7 @@ class OwnClaims:
 
     @property
     def passed(self) -> bool:
-        """Whether all of them hold."""
+        """True if all claims hold."""
         return all(claim.holds for claim in self.claims)
 
     def as_json(self) -> list[dict[str, object]]:

@@ -1,4 +1,4 @@
-"""Claims about what a gait attracts, what is viable, the reduced map, and feedback from stride to stride."""
+"""Claims about regions of attraction, viable sets, the reduced map, and feedback from stride to stride."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import replace
@@ -38,6 +38,7 @@ from .claim import (
     above,
     below,
     between,
+    cached_with_errors,
     check,
     equal_to,
     gait,
@@ -45,7 +46,6 @@ from .claim import (
     none_above,
     none_below,
     ratio,
-    remembered,
     solved,
     stable_gait,
 )
@@ -72,7 +72,7 @@ def _share_of(one: Gait, seed: int, law: AffineLaw | None = None) -> Estimate:
     return Estimate(found.share, *found.interval)
 
 
-@remembered
+@cached_with_errors
 def _share(
     regime: Regime, friction: float, reference: float | None, design: Design | None, seed: int
 ) -> Estimate:
@@ -99,7 +99,7 @@ def _light_control(regime: Regime, seed: int) -> Estimate:
     return _share_of(equal_to(_light_gait(regime, STICKS), _light_gait(regime, SLIPS)), 2 * seed + 1)
 
 
-@remembered
+@cached_with_errors
 def _robustness(
     regime: Regime, friction: float, reference: float | None, design: Design | None
 ) -> Robustness:
@@ -151,7 +151,7 @@ VIABLE_PLANES: Mapping[str, Mapping[str, Range]] = {
 CHOSEN = {ANGLE: (0.1, 1.3, 24)}
 
 
-@remembered
+@cached_with_errors
 def _viable(regime: Regime, friction: float, reference: float | None = None) -> "xarray.Dataset":
     """Viable set of the reduced map, which has no swing and is the same in both readings."""
     runner = Runner({**regime.values, FRICTION: friction}, model="reduced")
@@ -227,7 +227,7 @@ def _eigenvalue(number: int) -> Measure:
 
 @cache
 def _settles(regime: Regime, model: str) -> NDArray[np.bool_]:
-    """Whether each start settles on the gait, over a plane of height and speed."""
+    """Mask of the starts that settle on the gait, over a plane of height and speed."""
     found = basin(
         {**regime.values, FRICTION: 0.6}, STARTS_PLANES.get(regime.name, STARTS_PLANE), STARTS, model=model
     )

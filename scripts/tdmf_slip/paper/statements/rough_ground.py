@@ -27,6 +27,7 @@ from .claim import (
     Regime,
     above,
     below,
+    cached_with_errors,
     changed_to,
     check,
     equal_to,
@@ -37,7 +38,6 @@ from .claim import (
     none_below,
     over_length,
     ratio,
-    remembered,
     solved,
     stable_gait,
 )
@@ -220,14 +220,14 @@ def faster(runner: Runner) -> float:
     return runner[RATE] + RETRACTS * math.sqrt(runner["leg.stiffness"] / runner["body.mass"])
 
 
-@remembered
+@cached_with_errors
 def retracting(regime: Regime, friction: float, angle: str | None = None) -> Gait:
     """The gait with `RETRACTS` added to the regime's own rate of retraction."""
     one = plain(regime, friction, angle)
     return changed_to(one, RATE, faster(one.runner), STEPS)
 
 
-@remembered
+@cached_with_errors
 def equal(regime: Regime, friction: float, angle: str | None = None) -> Gait:
     """The retracting gait with speed, apex height and leg angle of the plain gait."""
     return equal_to(plain(regime, friction, angle), retracting(regime, friction, angle))
