@@ -8,7 +8,8 @@ import re
 import pytest
 import tdmf_slip
 
-PACKAGE = pathlib.Path(__file__).resolve().parents[2] / "scripts/tdmf_slip"
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+PACKAGE = ROOT / "scripts/tdmf_slip"
 SECTION = re.compile(r"^(\w+)\n-+\n(.*?)(?=^\w+\n-+\n|\Z)", re.MULTILINE | re.DOTALL)
 ENTRY = re.compile(r"^(\*{0,2}\w+(?:, \w+)*) : \S", re.MULTILINE)
 TOP = [name for name in tdmf_slip.__all__ if inspect.isfunction(getattr(tdmf_slip, name))]
@@ -71,3 +72,17 @@ def test_what_users_call_first_is_told_in_full(name):
     found = sections(getattr(tdmf_slip, name))
     assert {"Parameters", "Returns", "Raises"} <= set(found), name
     assert documented(getattr(tdmf_slip, name)) == arguments(getattr(tdmf_slip, name))
+
+
+def test_comments_begin_with_their_subject():
+    """The first word of a comment or docstring is a noun or a verb: a reader needs no sentence before it."""
+    first_word = re.compile(r'(?:"""|(?:/\*+|//+|#:?) )(Of|What|That|By) ')
+    suffixes, found = {".py", ".c", ".h"}, []
+    for folder in ("benchmarks", "c_core", "documentation", "examples", "fmu_src", "scripts", "tests"):
+        for path in sorted((ROOT / folder).rglob("*")):
+            lines = path.read_text("utf-8").splitlines() if path.suffix in suffixes else []
+            for number, (before, line) in enumerate(zip(["", *lines], lines, strict=False), 1):
+                goes_on = before.lstrip().startswith(("#", "//")) and line.lstrip().startswith(("#", "//"))
+                if first_word.search(line) and not goes_on:
+                    found.append(f"{path.relative_to(ROOT)}:{number}: {line.strip()}")
+    assert not found, "\n".join(["Comments that do not begin with a noun or a verb:", *found])
