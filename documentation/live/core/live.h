@@ -25,7 +25,7 @@ static inline tdmf_system live_system(void) {
     return system;
 }
 
-/* ---- derived from c_core/pages -------------------------------------------------------------------------- */
+/* ---- derived from c_core/pages ------------------------------------------------------------------------- */
 
 typedef enum { LIVE_PARAMETER, LIVE_FLAG, LIVE_INPUT } live_group;
 typedef struct {
