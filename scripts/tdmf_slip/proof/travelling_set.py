@@ -24,7 +24,8 @@ around zero, as wide as one factor and no more. What was enclosed before serves 
 """
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from fractions import Fraction
 from typing import Any
 
 import numpy as np
@@ -33,6 +34,7 @@ from flint import arb, arb_mat, arb_poly, ctx
 from ..library.section import COORDINATES
 from .dual import Dual, Number, UndecidedError, identity, norm, slope_of, value_of
 from .flow import Flow, Tube, Values, fades, rates, speeds
+from .given import Radius, RunnerLike, ball_of, gait_of, radius_of
 from .guards import Guard, guard_of
 from .parameters import BALLISTIC, PARAMETER, Forced, Parameters, at, kept_names, moving_names
 from .starts import Starts, apex_of, degree_for, motion_at, seeded
@@ -346,3 +348,44 @@ class SetTraveller(Traveller):
         numbers = seeded({name: self.set[name] for name in self.names})
         apexes = dict(zip(COORDINATES, apex_of(self.dual, numbers), strict=True))
         self.derivative = self._slopes(apexes, COORDINATES, self.names) * self.spread.product
+
+
+BITS = 80
+"""Working precision of a tube that is drawn."""
+
+
+@dataclass(frozen=True)
+class Section:
+    """A tube at the end of a step or an event."""
+
+    time: float
+    """Time since the apex, s."""
+    contact: str
+    """Mode of the foot: flight, stick, slip or graze."""
+    middle: dict[str, float]
+    """Centres of the motion's numbers: the leg's, and by mode those of the centre of mass or of the foot."""
+    radius: dict[str, float]
+    """Distance that a start of the set may have from the middle."""
+
+
+def tube_along(gait: RunnerLike = None, radius: Radius = Fraction(1, 10**8)) -> list[Section]:
+    """The tube of all starts around a gait's apex, along a stride."""
+    found, values = gait_of(gait)
+    size = radius_of(radius)
+    with ctx.workprec(BITS):
+        scales = [float(scale) for scale in found.runner.scales]
+        starts = Starts.around([arb(float(x)) for x in found.apex], ball_of(size), scales)
+        traveller = SetTraveller(Parameters(values), starts, BITS)
+        sections = [_section(traveller)]
+        while not traveller.step():
+            sections.append(_section(traveller))
+        return [*sections, _section(traveller)]
+
+
+def _section(traveller: SetTraveller) -> Section:
+    return Section(
+        float(traveller.time.mid()),
+        traveller.mode.contact,
+        {name: float(ball.mid()) for name, ball in traveller.set.items()},
+        {name: float(ball.rad()) for name, ball in traveller.set.items()},
+    )
