@@ -17,7 +17,7 @@ KINDS = {
     "a guide with a table of variables": "reference/variables.html",
     "a page with a graph": "development/architecture.html",
     "a reference of Python": "reference/python/index.html",
-    "a reference of C": "reference/c/physics.html",
+    "a reference of C": "reference/c/run.html",
     "the command's help": "reference/command_line.html",
     "sources": "_modules/index.html",
     "the index": "genindex.html",
@@ -96,6 +96,8 @@ def opened(driver, address, page):
     driver.get_log("browser")
     driver.get(f"{address}/{page}")
     wait(driver, "document.readyState === 'complete'")
+    policies = "document.querySelectorAll('meta[http-equiv=Content-Security-Policy]').length"
+    assert driver.execute_script(f"return {policies}") == 1, f"{page} has no policy, or does not exist"
     return driver
 
 
