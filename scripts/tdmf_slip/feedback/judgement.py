@@ -55,8 +55,10 @@ def apex_covariance(feedback: Feedback, roughness: float = 0.0) -> NDArray[np.fl
         No feedback, a feedback under which the gait is unstable, a roughness out of range, or a roughness
         for a section without `com_height`.
 
-    Examples -------- Sensors have an error of a thousandth of the section's scales. The standard deviation
-    of the height is then
+    Examples
+    --------
+    Sensors have an error of a thousandth of the section's scales. The standard deviation of the height is
+    then
 
     >>> from dataclasses import replace
     >>> import tdmf_slip
