@@ -1,14 +1,13 @@
 """A small C program against the installed library, found by CMake and by pkg-config."""
 
 import os
-import pathlib
 import re
 import shutil
 
 import pytest
-from conftest import succeed
+from conftest import ROOT, succeed
 
-CONSUMER = pathlib.Path(__file__).resolve().parents[1] / "consumer"
+CONSUMER = ROOT / "tests" / "consumer"
 
 
 SAYS = {
@@ -34,9 +33,9 @@ def test_find_package(installed_library, tmp_path):
         assert succeed(tmp_path / program).startswith(says)
 
 
-def test_every_function_stands_in_a_program(root=CONSUMER.parents[1]):
-    """All but those that only a library of a page of one's own has."""
-    headers, programs = root / "c_core" / "include", [*CONSUMER.glob("*.c"), *root.glob("examples/*.c")]
+def test_every_function_stands_in_a_program():
+    """Functions that only the library of a page of one's own has are exempt."""
+    headers, programs = ROOT / "c_core" / "include", [*CONSUMER.glob("*.c"), *ROOT.glob("examples/*.c")]
     text = "".join(header.read_text() for header in headers.rglob("*.h") if header.name != "own_page.h")
     functions = set(re.findall(r"^TDMF_API [^(]*?(\w+)\(", text, re.MULTILINE))
     called = "".join(program.read_text() for program in programs)
