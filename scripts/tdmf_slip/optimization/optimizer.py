@@ -228,10 +228,8 @@ class Optimizer:
 
         def merit(runner: Runner, apex: NDArray[np.float64]) -> float:
             """Merit of a gait without constraints on its eigenvalues, which are unknown."""
-            values, at = (
-                plain_stride(runner, apex, problem.goal.names).quantities,
-                self.space.coordinates_of(runner),
-            )
+            values = plain_stride(runner, apex, problem.goal.names).quantities
+            at = self.space.coordinates_of(runner)
             slopes, spectrum = np.zeros((len(values), len(at))), Spectrum.none(len(at))
             rough = Candidate(at, self.first, np.zeros((len(apex), len(at))), values, slopes, spectrum)
             return problem.objective(rough)[0] + VIOLATED * problem.violation(rough)
@@ -362,8 +360,8 @@ def _reached(gaits: Gaits, begin: Gait, point: NDArray[np.float64], tries: int) 
     try:
         first = gaits.candidate(begin)
         way = point - first.at
-        return halved(lambda share: gaits.gait_from(first, first.at + share * way), 1.0, 0.5 ** (tries - 1))[
-            0
-        ]
+        shortest = 0.5 ** (tries - 1)
+        gait, _ = halved(lambda share: gaits.gait_from(first, first.at + share * way), 1.0, shortest)
     except RunError:
         return None
+    return gait

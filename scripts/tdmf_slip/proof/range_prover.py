@@ -219,8 +219,8 @@ def prove_range(
             done[open_ones[number]] = subintervals
             _write(output, head, open_ones[number], subintervals)
             bar.update()
-    found_ones = [subinterval for part in parts for subinterval in done[part]]
-    return RangeProof(all(of.proved for of in found_ones), values, name, *ends, found_ones)
+    in_order = [subinterval for part in parts for subinterval in done[part]]
+    return RangeProof(all(of.proved for of in in_order), values, name, *ends, in_order)
 
 
 def _done(output: Path | None, head: Mapping[str, Any]) -> dict[tuple[Fraction, Fraction], list[Subinterval]]:
