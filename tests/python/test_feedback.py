@@ -277,7 +277,7 @@ def drawn_runner(source):
 def test_any_gait_is_held_stable_or_not():
     """A dead-beat law leaves less than 2 % of a deviation of 1e-6; a stride of the ensemble errs by 1e-11.
 
-    Of 6 random runners, or with --release of 24.
+    The runners are 6 random ones, or 24 with --release.
     """
     source, held, unstable = np.random.default_rng(5), 0, 0
     for _ in range(DRAWN):

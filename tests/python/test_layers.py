@@ -1,4 +1,4 @@
-"""The package's parts, each of which knows only those before it."""
+"""Parts of the package are layers: each imports only the parts before it."""
 
 import ast
 

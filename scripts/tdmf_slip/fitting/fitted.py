@@ -119,7 +119,7 @@ def fit(
     profile : bool or sequence of str, default True
         Parameters whose intervals are by the profile likelihood: all, none, or these. Others are linearized.
     starts : int, default 1
-        Largest number of fits, from gaits spread over the ranges of what varies; the best one counts.
+        Largest number of fits, from gaits spread over the ranges of what varies; the best one is kept.
     progress : bool, default False
         A count of strides on stderr.
 

@@ -70,7 +70,7 @@ class Request:
     profiled: tuple[str, ...]
     """Names of parameters whose intervals are by the profile likelihood."""
     starts: int
-    """Largest number of fits, of which the best counts."""
+    """Largest number of fits; the one with the least loss is kept."""
 
     @property
     def parameters(self) -> tuple[Parameter, ...]:

@@ -46,8 +46,7 @@ OPEN_BACKWARD: Mapping[float, float] = {-1.0: 2.5, -2.0: -4.0, -3.0: 1.5}
 """Differences of second order: weights by number of steps.
 
 The last two do without the gait itself, which may be on the edge of a region. For example, a thrust of zero
-is
-no event, and any other is."""
+is no event, and any other thrust is one."""
 SHORTEST_SHARE = 2.0**-5
 """Shortest step, as a share of the distance between two gaits."""
 FARTHEST = 0.7

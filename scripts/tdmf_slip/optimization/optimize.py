@@ -75,8 +75,8 @@ def optimize(
         Largest spectral radius of the gait; True stands for 0.99. The leading eigenvalues are constrained one
         by one, because they are smooth where the radius itself is not.
     starts : int, default 6
-        Largest number of searches, from gaits spread over the bounds; the best result counts. A single search
-        begins at the runner's own gait.
+        Largest number of searches, from gaits spread over the bounds; the best result is kept. A single
+        search begins at the runner's own gait.
     model, progress : as in `find_gait`
 
     Returns

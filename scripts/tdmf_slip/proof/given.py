@@ -174,7 +174,7 @@ def runner_of(given: RunnerLike) -> tuple[Runner, dict[str, object]]:
 
 
 def radius_of(box: Radius) -> Fraction:
-    """A radius that is asked for."""
+    """Exact radius from an argument, which is checked here."""
     try:
         number = None if isinstance(box, str) else number_of(box)
         exact = box if isinstance(box, Rational) and number is not None else repr(number)

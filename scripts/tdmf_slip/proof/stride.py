@@ -180,7 +180,7 @@ class Traveller:
         raise UndecidedError("the end of the stride")
 
     def step(self) -> bool:
-        """One step, or a part of one up to an event; whether it ends the stride."""
+        """Go one step, or a part of one up to an event, and say whether that ends the stride."""
         flow = Flow(self.thin, self.mode, self.centre, degree_for(self.bits))
         return self._go(flow, flow)
 

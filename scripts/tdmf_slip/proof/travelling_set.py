@@ -252,7 +252,7 @@ class SetTraveller(Traveller):
     # ---- steps -----------------------------------------------------------------------------------------
 
     def step(self) -> bool:
-        """One step, or a part of one up to an event; whether it ends the stride."""
+        """Go one step, or a part of one up to an event, and say whether that ends the stride."""
         thin = Flow(self.thin, self.mode, self.centre, degree_for(self.bits))
         return self._go(thin, VariedFlow(self.wide, self.mode, self.set, degree_for(self.bits), thin.reach))
 
