@@ -247,7 +247,7 @@ class Fit:
     @property
     def degrees_of_freedom(self) -> int:
         """Measured numbers and priors less fitted numbers."""
-        return len(self.residuals) + len(self.priors) - len(self.estimates)
+        return self.request.degrees_of_freedom
 
     @cached_property
     def gaits(self) -> tuple[Gait, ...]:
