@@ -15,12 +15,10 @@ from flint import arb, ctx
 from tdmf_slip.proof import flow as flow_module
 from tdmf_slip.proof import travelling_set
 from tdmf_slip.proof.dual import UndecidedError
-from tdmf_slip.proof.given import gait_of
 from tdmf_slip.proof.guards import Guard
 from tdmf_slip.proof.laws import Motion
-from tdmf_slip.proof.parameters import Mode, Parameters
-from tdmf_slip.proof.starts import Starts
-from tdmf_slip.proof.travelling_set import SetTraveller, VariedFlow
+from tdmf_slip.proof.parameters import Mode
+from tdmf_slip.proof.travelling_set import VariedFlow
 
 PROVED = json.loads((pathlib.Path(__file__).parent / "proved_gaits.json").read_text(encoding="utf-8"))
 KNOWN = {gait["friction"]: gait for gait in PROVED["gaits"]}
@@ -99,16 +97,17 @@ def test_the_orbit_of_van_der_pol_is_proved_with_its_known_size_and_period(monke
 
 def test_steps_of_other_lengths_enclose_the_same(monkeypatch):
     """Both tubes hold the ends of all starts within 1e-8, so they overlap."""
-    longest, (gait, values) = flow_module.longest, gait_of({"ground.friction": SHORT, **CLAMPED})
-    starts = Starts.around([arb(float(x)) for x in gait.apex], arb("1e-8"), [1.0] * 6)
+    longest = flow_module.longest
 
-    def ends(share):
+    def tube(share):
         monkeypatch.setattr(flow_module, "longest", lambda *given: (longest(*given) * share).mid())
-        return SetTraveller(Parameters(values), starts, BITS).stride().set
+        return travelling_set.tube_along({"ground.friction": SHORT, **CLAMPED})
 
-    one, other = ends(arb(1)), ends(arb("0.7"))
-    for name, ball in one.items():
-        assert ball.overlaps(other[name]) and 0 < ball.rad() + other[name].rad() < 1e-5, name
+    one, other = tube(arb(1)), tube(arb("0.7"))
+    assert len(one) < len(other)
+    for name, middle in one[-1].middle.items():
+        radius = one[-1].radius[name] + other[-1].radius[name]
+        assert abs(middle - other[-1].middle[name]) <= radius and 0 < radius < 1e-5, name
 
 
 LAWS = {"spring": SHORT, "servo": SHORT, "slip_friction": LONG, "speed_left": LONG, "grazing_across": LONG}
