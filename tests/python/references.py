@@ -12,6 +12,7 @@ from conftest import CLAMPED, reference_gaits, runner_of_gait
 
 
 def read(name):
+    """Content of a JSON file in the folder of the tests."""
     return json.loads(Path(__file__).with_name(name).read_text(encoding="utf-8"))
 
 

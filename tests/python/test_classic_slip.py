@@ -3,15 +3,14 @@
 In that integration, the leg is a polar coordinate about the foot, and touchdown a root of the foot's height.
 """
 
-import json
 import math
 from collections import Counter
 from functools import partial
 from itertools import product
-from pathlib import Path
 
 import numpy as np
 import pytest
+from references import read
 from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 from tdmf_slip import InputError, RunError
@@ -20,7 +19,7 @@ from tdmf_slip.library.classic_slip import ENERGY, NO_SLIP, slip, step
 from tdmf_slip.library.page import PageMap
 
 MASS, STIFFNESS, LENGTH, GRAVITY = 80.0, 20000.0, 1.0, 9.81
-STEPS = json.loads((Path(__file__).parent / "classic_steps.json").read_text(encoding="utf-8"))
+STEPS = read("classic_steps.json")
 """Random steps by an earlier solver for this runner alone: flight in closed form, Taylor series in stance."""
 CASES = [
     (math.radians(angle), math.radians(slope), math.radians(rate))

@@ -3,17 +3,16 @@
 `core_runs.json` has the ends of 500 runs of `runner_pages.drawn`, in units m = k = l0 = 1.
 """
 
-import json
 from functools import reduce
-from pathlib import Path
 
 import numpy as np
 import pytest
 from conftest import some_of
+from references import read
 from runner_pages import INPUTS, MECHANICAL, STEP_LIMIT, drawn
 from tdmf_slip.library.binding import c, ffi
 
-RUNS = json.loads((Path(__file__).parent / "core_runs.json").read_text(encoding="utf-8"))
+RUNS = read("core_runs.json")
 
 
 def write(struct, values):

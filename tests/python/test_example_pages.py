@@ -1,14 +1,13 @@
 """The pages in examples/pages, beside closed forms, published values and independent integrations."""
 
 import importlib
-import json
 import sys
-from pathlib import Path
 
 import numpy as np
 import pytest
 from conftest import RELEASE, reference_gaits, some_of
 from page_runs import COMPILER, ROOT, CompiledPage, central_difference
+from references import read
 from runner_pages import section, word, world_of
 from scipy.integrate import solve_ivp
 from scipy_strides import Stride, torque_of_gains
@@ -21,7 +20,7 @@ pytestmark = pytest.mark.skipif(COMPILER is None, reason="there is no C compiler
 TIGHT = {"tolerance": 1e-13}
 PAGES = ROOT / "examples" / "pages"
 sys.path.append(str(PAGES))
-COMPLIANT = json.loads((Path(__file__).parent / "compliant_gaits.json").read_text(encoding="utf-8"))
+COMPLIANT = read("compliant_gaits.json")
 
 
 def compiled(module, name):

@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from conftest import CLAMPED, reference_gaits, release
+from references import FREE
 from tdmf_slip import Batch, InputError, RunError, Runner, find_gait
 from tdmf_slip.analysis.along import gaits_over
 from tdmf_slip.analysis.gait_problem import BranchProblem
@@ -33,7 +34,6 @@ CLAMPED_EIGENVALUES = {
 }
 LIGHT_AND_DAMPED = {(0.6, 0.005, 1.0): (0.897504, 0.276227), (0.3, 0.02, 2.0): (0.675120,)}
 """Leading eigenvalues with the clamp of the swing, by friction, foot mass and damping."""
-FREE = json.loads(Path(__file__).with_name("free_swing.json").read_text(encoding="utf-8"))
 BORDERS = {(border["from"], border["to"]): border["friction"] for border in FREE["borders"]}
 
 

@@ -1,12 +1,10 @@
 """The runner's page beside references, differences and the table of the unit's variables."""
 
-import json
-from pathlib import Path
-
 import numpy as np
 import pytest
 from conftest import some_of, unit_reference
 from page_runs import BEHIND, COMPILER, CompiledPage
+from references import read
 from runner_pages import (
     MECHANICAL,
     SECTION,
@@ -22,7 +20,7 @@ from c_core.hybrid.limits import MARGINS
 from c_core.pages.runner import Runner
 
 pytestmark = pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
-FRICTION = json.loads((Path(__file__).parent / "friction_cases.json").read_text(encoding="utf-8"))
+FRICTION = read("friction_cases.json")
 GAIT = unit_reference()
 
 

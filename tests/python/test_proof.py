@@ -1,7 +1,6 @@
 """Proofs of gaits: against values that were proved by another program, and where they have to fail."""
 
 import json
-import pathlib
 import pickle
 from dataclasses import replace
 from fractions import Fraction
@@ -10,6 +9,7 @@ import pandas
 import pytest
 import tdmf_slip
 from conftest import CLAMPED, RELEASE, release
+from references import read
 
 pytest.importorskip("flint")
 
@@ -22,7 +22,7 @@ from tdmf_slip.proof.accuracy import QUANTITIES, error_table, solver_errors
 from tdmf_slip.proof.given import Exact, check_laws, gait_of
 from tdmf_slip.proof.laws import NAMES_ON_PAGE
 
-PROVED = json.loads((pathlib.Path(__file__).parent / "proved_gaits.json").read_text(encoding="utf-8"))
+PROVED = read("proved_gaits.json")
 GAITS = {gait["friction"]: gait for gait in PROVED["gaits"]}
 EXACT, BY_CVODE = 1e-12, 1e-7
 """Errors of solvers, as the page on accuracy says."""

@@ -1,13 +1,12 @@
 """Tests of the prover itself: gaits with known answers, other steps, laws that are broken on purpose."""
 
-import json
-import pathlib
 import pickle
 from types import SimpleNamespace as Record
 
 import pytest
 import tdmf_slip
 from conftest import CLAMPED, some_of
+from references import read
 
 pytest.importorskip("flint")
 
@@ -20,7 +19,7 @@ from tdmf_slip.proof.laws import Motion
 from tdmf_slip.proof.parameters import Mode
 from tdmf_slip.proof.travelling_set import VariedFlow
 
-PROVED = json.loads((pathlib.Path(__file__).parent / "proved_gaits.json").read_text(encoding="utf-8"))
+PROVED = read("proved_gaits.json")
 KNOWN = {gait["friction"]: gait for gait in PROVED["gaits"]}
 SHORT, LONG = "10", "0.2"
 """Friction of a gait that is proved fast, and of one that has all laws in it."""

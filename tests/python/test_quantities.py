@@ -1,11 +1,9 @@
 """Quantities of a gait: values against a finely sampled run of the unit, derivatives against differences."""
 
-import json
-from pathlib import Path
-
 import numpy as np
 import pytest
 from conftest import CLAMPED, RELEASE
+from references import read
 from tdmf_slip import InputError, Runner, find_gait
 from tdmf_slip.fmu.simulation import run_unit
 from tdmf_slip.library.fixed_point import gait_near
@@ -13,7 +11,7 @@ from tdmf_slip.library.quantities import MEASURES, quantities_of, scales_of
 from tdmf_slip.library.strides import varied_stride
 from tdmf_slip.variables.parameters import read_parameters
 
-RANDOM_RUNNERS = json.loads(Path(__file__).with_name("random_runners.json").read_text())
+RANDOM_RUNNERS = read("random_runners.json")
 RUNNERS = {
     "sticks": {"ground.friction": 10.0},
     "slips": {"ground.friction": 0.2},

@@ -1,11 +1,10 @@
 """The reduced map: gaits against the reference, and the same commands as for the full model."""
 
-import json
-import pathlib
 import pickle
 
 import numpy as np
 import pytest
+from references import read
 from tdmf_slip import Batch, InputError, RunError, Runner, basin, find_gait
 from tdmf_slip.analysis import attraction
 from tdmf_slip.analysis.stability import stability
@@ -15,10 +14,10 @@ from tdmf_slip.library.return_map import stride_from
 from tdmf_slip.library.section import COORDINATES, REDUCED
 from tdmf_slip.paper.along import swept
 
-GAITS = json.loads((pathlib.Path(__file__).parent / "reduced_gaits.json").read_text())["gaits"]
+GAITS = read("reduced_gaits.json")["gaits"]
 """Fixed points in units m = k = l0 = 1, computed independently in extended precision: values to 1e-12,
 eigenvalues to 1e-9."""
-STRIDES = json.loads((pathlib.Path(__file__).parent / "reduced_strides.json").read_text())
+STRIDES = read("reduced_strides.json")
 """Random strides by an earlier solver for this map alone, with closed forms of both flights."""
 
 

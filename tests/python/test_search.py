@@ -1,18 +1,17 @@
 """Gaits without a guess: of random runners, whose gaits were sought by far more expensive means."""
 
-import json
 import re
-from pathlib import Path
 
 import numpy as np
 import pytest
 from conftest import CLAMPED, RELEASE
+from references import read
 from tdmf_slip import GaitNotFoundError, RunError, Runner, find_gait
 from tdmf_slip.analysis import search
 from tdmf_slip.analysis.search import periodic_gait
 from tdmf_slip.library.fixed_point import gait_near, settled_gait
 
-RUNNERS = json.loads(Path(__file__).with_name("random_runners.json").read_text())
+RUNNERS = read("random_runners.json")
 FROM_ISSUE = {
     "foot.mass": 0.0297,
     "leg.damping": 0.3357,

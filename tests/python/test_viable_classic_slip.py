@@ -3,15 +3,13 @@
 All its touchdown angles are admitted, those of 0 and below too.
 """
 
-import json
-import pathlib
-
 import numpy as np
 import pytest
+from references import read
 from tdmf_slip.library import classic_slip
 from tdmf_slip.viable_sets.grid import Boxes, largest_kept
 
-REFERENCE = json.loads(pathlib.Path(__file__).with_name("vibly_slip.json").read_text(encoding="utf-8"))
+REFERENCE = read("vibly_slip.json")
 GRIDS = REFERENCE["grids"]
 
 
