@@ -261,8 +261,6 @@ def _work(evidence: Evidence) -> Finding:
     return Finding(f"W {work.text}; friction {lost.text}", work.agrees)
 
 
-_dearer = _trend("cost_of_transport", 1.0, 3, low=True, where=True)
-
 STATEMENTS: Sequence[Statement] = (
     Statement(
         "4", "(11) as printed, torque +tau0 in stance", "injects energy", _printed_torque, misprint=True
