@@ -29,8 +29,8 @@ JSON_OPTION = click.option("--json", "as_json", is_flag=True, help="Print one JS
 class Answer:
     """Result of a command, as JSON, as text and as a picture."""
 
-    plain: Mapping[str, Any]
-    """Object that --json prints."""
+    plain: Mapping[str, Any] | Callable[[], Mapping[str, Any]]
+    """Object that --json prints, or a function that makes it if that takes time."""
     text: str
     """Text that is printed without --json."""
     drawn: Callable[[], Any] | None = None
@@ -45,7 +45,8 @@ class Answer:
     def show(self, as_json: bool, picture: Path | None) -> None:
         """Print the answer, draw it, and raise its failure if it has one."""
         if as_json or self.text:
-            print(json_text(self.plain) if as_json else self.text)
+            plain = self.plain() if as_json and callable(self.plain) else self.plain
+            print(json_text(plain) if as_json else self.text)
         if picture is not None and self.drawn is not None:
             from ..pictures.plot import write_picture  # matplotlib is slow to load
 

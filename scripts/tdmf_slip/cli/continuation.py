@@ -1,6 +1,7 @@
 """The command `continue`: a branch of gaits along a parameter, with its bifurcations."""
 
 from collections.abc import Mapping
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -94,7 +95,7 @@ def continue_command(
         for number in range(branch.sizes["branch"])
     ]
     text = "\n".join(_branch_text(part, display) for part in parts)
-    return Answer(_branch_object(runner, parts), text, lambda: branch, look)
+    return Answer(partial(_branch_object, runner, parts), text, lambda: branch, look)
 
 
 def _curves(

@@ -1,6 +1,7 @@
 """The command `sweep`: gaits over a range of a parameter, or over two."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from functools import cache, partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -105,15 +106,15 @@ def sweep_command(
 
         refuse_resumable(output)
     found = sweep(runner, values, progress=True)
-    plain, problem = _object(runner, found), found.gaits["problem"].item()
+    plain, problem = cache(partial(_object, runner, found)), found.gaits["problem"].item()
     if output is not None:
         _write(output, found, plain)
     display = DisplayUnits(texts, runner)
     failure = None
     if problem:
-        count = len(plain["gaits"])
-        failure = RunError(f"{problem}; {count} of {count + len(plain['missing'])} gaits were found")
-    text = json_text(plain) if to_stdout else _text(found, display)
+        words = found.gaits["word"].values
+        failure = RunError(f"{problem}; {np.count_nonzero(words != '')} of {words.size} gaits were found")
+    text = json_text(plain()) if to_stdout else _text(found, display)
     return Answer(plain, text, lambda: found, {"display": display}, failure=failure)
 
 
@@ -158,8 +159,8 @@ def _reported_name(name: str) -> str:
     return "friction" if name == FRICTION else name
 
 
-def _write(path: Path, found: Sweep, plain: dict[str, Any]) -> None:
-    """Write a sweep into a file whose suffix is one of `FORMATS`."""
+def _write(path: Path, found: Sweep, plain: Callable[[], dict[str, Any]]) -> None:
+    """Write a sweep, or its plain object, into a file whose suffix is one of `FORMATS`."""
     suffix = path.suffix.lower()
     if suffix == NETCDF:
         from ..files.netcdf import write_dataset  # xarray is slow to load
@@ -170,7 +171,7 @@ def _write(path: Path, found: Sweep, plain: dict[str, Any]) -> None:
         if suffix == CSV:
             found.gaits.drop_dims("mode").to_dataframe().to_csv(beside)
         else:
-            beside.write_text(json_text(plain) + "\n", encoding="utf-8")
+            beside.write_text(json_text(plain()) + "\n", encoding="utf-8")
 
 
 def _grid(
