@@ -10,14 +10,12 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from numpy.typing import NDArray
 
-from ..analysis.trajectories import trajectory
 from ..errors import InputError
 from ..fmu.run import MODE
 from ..library.gait import Gait
 from ..variables.paper_units import scales_of
 from ..variables.table import Model, scale
 from . import style
-from .overview import of_trajectory
 
 POINTS, TRAJECTORY_POINTS = 6000, 1001
 """Recorded points in the stride, to which each event adds two; times of the gait of a model of one's own."""
@@ -243,6 +241,9 @@ def near_stance(axes: Axes, stride: Stride) -> None:
 def of_gait(gait: Gait) -> Figure:
     """The two panels of a gait's stride; of a model of one's own, its outputs and states over time."""
     if gait.runner.model.is_own:
+        from ..analysis.trajectories import trajectory
+        from .overview import of_trajectory  # xarray is slow to load
+
         return of_trajectory(trajectory(gait, times=np.linspace(0.0, gait.period, TRAJECTORY_POINTS)))
     return velocity_and_ratio(Stride(gait))
 
