@@ -109,3 +109,9 @@ def runner_in(data: "xarray.Dataset") -> dict[str, Any]:
     """Values of the runner of a dataset, without those that vary in it, by the unit's names."""
     values: dict[str, Any] = json.loads(data.attrs.get("runner", "{}"))
     return values
+
+
+def parts_of(data: "xarray.Dataset", part: str) -> "list[xarray.Dataset]":
+    """Each `branch` or `curve` of a dataset of points by itself, with what it has only once as scalars."""
+    numbers = data[f"{part}_number"].values
+    return [data.isel({"point": numbers == k, part: k}) for k in range(data.sizes[part])]

@@ -14,6 +14,7 @@ from ..checks import near_matches, shown
 from ..errors import InputError
 from ..library.quantities import reported_quantities
 from ..library.runner import Runner
+from ..record import parts_of
 from ..terminal.text import headed, table
 from ..variables.display_units import DisplayUnits
 from .command import Answer, command, option
@@ -90,10 +91,7 @@ def continue_command(
 
         write_dataset(output, branch)
     look = {"quantity": quantity, "display": display}
-    parts = [
-        branch.isel(point=branch["branch_number"].values == number, branch=number)
-        for number in range(branch.sizes["branch"])
-    ]
+    parts = parts_of(branch, "branch")
     text = "\n".join(_branch_text(part, display) for part in parts)
     return Answer(partial(_branch_object, runner, parts), text, lambda: branch, look)
 
@@ -104,8 +102,7 @@ def _curves(
     """Curves of special points over two parameters."""
     found = continue_curves(runner, spans, max_points=max_points, progress=True)
     header, lines, curves = [headed(name, display.unit(name)) for name in spans], [], []
-    for number in range(found.sizes["curve"]):
-        part = found.isel(point=found["curve_number"].values == number, curve=number)
+    for part in parts_of(found, "curve"):
         kind, began, ended, before, after = (
             part[name].item() for name in ("kind", "began", "ended", "before", "after")
         )

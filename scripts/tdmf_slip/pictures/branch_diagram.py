@@ -19,6 +19,7 @@ from ..errors import InputError
 from ..library.gait import first_runner_in
 from ..library.quantities import QUANTITIES
 from ..library.section import COORDINATES
+from ..record import parts_of
 from ..variables.display_units import DisplayUnits
 from ..variables.table import MODELS, VARIABLES
 from . import style
@@ -79,21 +80,16 @@ def figure_of(data: xarray.Dataset, quantity: str = DRAWN, display: DisplayUnits
     panels[1].set_xlabel(style.mark_in_display_unit(panels[1].xaxis, name, display))
     begin = display.value(name, float(data[name].values[0]))
     panels[0].set_title(f"{name} from {begin:g}: {data.ended}", wrap=True)
+    branches = parts_of(data, "branch")
     for axes, drawn in zip(panels, (quantity, "lambda_max"), strict=True):
-        for branch in _branches(data):
+        for branch in branches:
             _draw(axes, branch, drawn)
     panels[1].axhline(1.0, **style.LIMIT_LINE)
     _bound(panels[1])
-    for branch in _branches(data):
+    for branch in branches:
         _write_words(panels[0], branch, quantity)
     _legend(panels[0])
     return figure
-
-
-def _branches(data: xarray.Dataset) -> Iterator[xarray.Dataset]:
-    """Each branch by itself, with its number of strides as a number."""
-    for number in range(data.sizes["branch"]):
-        yield data.isel(point=data["branch_number"].values == number, branch=number)
 
 
 def _colour(branch: xarray.Dataset) -> str:
@@ -185,10 +181,7 @@ BESIDE, ASLANT = 6.0, 0.35
 def of_curves(data: xarray.Dataset, display: DisplayUnits | None = None) -> Figure:
     """The curves in the plane of the parameters: borders thin, with each word on its side."""
     names = str(data.over).split(", ")
-    curves = [
-        data.isel(point=data["curve_number"].values == number, curve=number)
-        for number in range(data.sizes["curve"])
-    ]
+    curves = parts_of(data, "curve")
     display = display or DisplayUnits(values=first_runner_in(data))
     figure, axes = style.subplots(figsize=(7.6, 5.4))
     pairs = zip((axes.xaxis, axes.yaxis), names, strict=True)
