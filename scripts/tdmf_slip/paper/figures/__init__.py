@@ -1,3 +1,3 @@
 """The paper's figures and our own, one module per figure; `catalogue` lists all of them."""
 
-from ... import pictures  # noqa: F401 # its error tells how to install a missing Matplotlib
+from ... import pictures  # noqa: F401 # reports a missing Matplotlib before a figure imports it

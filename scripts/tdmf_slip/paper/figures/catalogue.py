@@ -49,13 +49,13 @@ FIGURES: Mapping[str, Entry] = {
     "figure_2b": Entry(classic.gait_table, classic.draw_gaits),
     "figure_3": Entry(classic.slip_table, classic.draw_slip),
     "figure_4a": Entry(lambda results: results.table("figure_2b"), classic.draw_friction),
-    "figure_5": Entry(partial(strides.table, *strides.STICKING), strides.draw_sticking),
-    "figure_6": Entry(partial(strides.table, *strides.LANDING), partial(strides.draw, *strides.LANDING)),
+    "figure_5": Entry(partial(strides.table, strides.STICKING), strides.draw_sticking),
+    "figure_6": Entry(partial(strides.table, strides.LANDING), partial(strides.draw, strides.LANDING)),
     "figure_7": Entry(
-        partial(strides.table, *strides.THREE_SLIPS), partial(strides.draw, *strides.THREE_SLIPS)
+        partial(strides.table, strides.THREE_SLIPS), partial(strides.draw, strides.THREE_SLIPS)
     ),
-    "figure_8": Entry(partial(strides.table, *strides.LOW), strides.draw_low),
-    "snapshots": Entry(partial(strides.table, *snapshots.SHOWN), snapshots.draw),
+    "figure_8": Entry(partial(strides.table, strides.LOW), strides.draw_low),
+    "snapshots": Entry(partial(strides.table, snapshots.SHOWN), snapshots.draw),
     "figure_9": Entry(figure_9.table, figure_9.draw),
     "attraction": Entry(attraction.table, attraction.draw),
     "energy": Entry(energy.table, energy.draw),

@@ -1,5 +1,7 @@
 """One stride as snapshots: all of it, its stance enlarged, and the path of the foot on the ground."""
 
+from collections.abc import Sequence
+
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
@@ -10,7 +12,7 @@ from ...pictures.panels import Stride
 from .data import Results
 from .strides import Which
 
-SHOWN: tuple[Which] = ((0.43, False),)
+SHOWN: Sequence[Which] = ((0.43, False),)
 """Gait of the snapshots."""
 IN_STRIDE = 27
 IN_STANCE = 25

@@ -3,7 +3,7 @@
 Solid lines of figure 5 are the default reading, dotted lines the reading with the clamp of equation (12).
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -17,10 +17,10 @@ from .data import Results
 
 Which = tuple[float, bool]
 """Friction of a stride's gait, and whether the swing has the clamp of (12)."""
-STICKING: tuple[Which, Which] = (10.0, False), (10.0, True)
-LANDING: tuple[Which] = ((1.2, False),)
-THREE_SLIPS: tuple[Which] = ((0.6, False),)
-LOW: tuple[Which, Which] = (0.43, False), (0.2, False)
+STICKING: Sequence[Which] = (10.0, False), (10.0, True)
+LANDING: Sequence[Which] = ((1.2, False),)
+THREE_SLIPS: Sequence[Which] = ((0.6, False),)
+LOW: Sequence[Which] = (0.43, False), (0.2, False)
 """Gaits whose foot only sticks, slides on landing, or slips three times, and those at low friction."""
 CLAMPED: Mapping[str, Any] = {"linestyle": (0.0, (1.0, 1.2)), "linewidth": 1.3, "zorder": 2}
 COLUMNS = (
@@ -30,9 +30,8 @@ COLUMNS = (
 """Recorded quantities in the data."""
 
 
-def table(*arguments: Any) -> pandas.DataFrame:
+def table(which: Sequence[Which], results: Results) -> pandas.DataFrame:
     """Recorded rows of strides in the paper's units, after friction and reading of the gait."""
-    *which, results = arguments
     tables = []
     for friction, clamp in which:
         stride = results.stride(friction, clamp)
@@ -103,9 +102,10 @@ def _ratio(axes: Axes, stride: Stride) -> None:
     axes.set_title("(d) force ratio in stance; × impulses at the impact")
 
 
-def draw(which: Which, results: Results) -> Figure:
+def draw(which: Sequence[Which], results: Results) -> Figure:
     """Draw figure 6 or 7: foot velocity and force ratio of a stride."""
-    return panels.velocity_and_ratio(results.stride(*which))
+    (one,) = which
+    return panels.velocity_and_ratio(results.stride(*one))
 
 
 def draw_low(results: Results) -> Figure:
