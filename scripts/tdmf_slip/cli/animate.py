@@ -10,7 +10,7 @@ from ..library.runner import Runner
 from ..terminal.progress import progress_bar
 from .command import Answer, command, option
 from .options import NewPicture, Number, read_gait
-from .runner import Asked
+from .runner import RunnerOptions
 
 FRAMES = 12, 2000
 """Smallest and largest number of frames in a stride."""
@@ -24,7 +24,7 @@ FRAMES = 12, 2000
     model=False,
     as_json=False,
 )
-def animate_command(asked: Asked, path: Path, from_gait: str | None, frames: int) -> Answer:
+def animate_command(options: RunnerOptions, path: Path, from_gait: str | None, frames: int) -> Answer:
     """Animate one stride of a runner's gait, in a loop.
 
     Parameters
@@ -36,9 +36,9 @@ def animate_command(asked: Asked, path: Path, from_gait: str | None, frames: int
     from ..pictures.panels import Stride
 
     if from_gait is None:
-        gait = periodic_gait(asked.runner())
+        gait = periodic_gait(options.runner())
     else:
-        if asked.given or asked.parameters is not None:
+        if options.given or options.parameters is not None:
             raise InputError(
                 "--from-gait gives the whole runner; allowed: no other option that describes one"
             )

@@ -17,7 +17,7 @@ from ..variables.display_units import DisplayUnits
 from ..variables.table import MODELS, VARIABLES
 from .command import Answer, command, option
 from .options import NewFile, ends_of
-from .runner import Asked
+from .runner import RunnerOptions
 from .workers import Workers
 
 if TYPE_CHECKING:
@@ -36,7 +36,7 @@ if TYPE_CHECKING:
     plot="the map",
 )
 def basin_command(
-    asked: Asked, workers: Workers, spans: tuple[str, ...], samples: int, **given: Any
+    options: RunnerOptions, workers: Workers, spans: tuple[str, ...], samples: int, **given: Any
 ) -> Answer:
     """Compute the region of attraction of a gait: a map of a slice, its volume and its robustness.
 
@@ -51,8 +51,8 @@ def basin_command(
     samples
         Random starts in all six coordinates, from which the volume is estimated; 0 for none.
     """
-    named = _axes(spans, MODELS[asked.model or "full"].coordinates)
-    runner = asked.runner()
+    named = _axes(spans, MODELS[options.model or "full"].coordinates)
+    runner = options.runner()
     axes = {
         axis: ends_of(span, VARIABLES[f"apex.{axis}"], f"--axes {axis} =") if span else None
         for axis, span in named.items()

@@ -15,7 +15,7 @@ import click
 
 from ..checks import shown
 from .options import NUMERIC, NewPicture
-from .runner import Asked, runner_options, values_given
+from .runner import RunnerOptions, runner_options, values_given
 from .workers import WORKERS_OPTIONS, Workers
 
 Option: TypeAlias = Callable[[Any], Any]
@@ -112,8 +112,8 @@ def command(
 ) -> Callable[[Callable[..., Answer]], click.Command]:
     """Make a command of a function that returns an `Answer`; the function's docstring is its help.
 
-    With `runner` the function is passed `asked`, an `Asked`, with `workers` also `workers`, a `Workers`.
-    Without `friction` or `model`, `asked` has none: the command has such an option of its own.
+    With `runner` the function is passed `options`, a `RunnerOptions`, with `workers` also `workers`, a
+    `Workers`. Without `friction` or `model`, `options` has none: the command has an option of its own for it.
     `plot` says in the help of --plot what is drawn.
     """
     shared = [JSON_OPTION] if as_json else []
@@ -130,7 +130,7 @@ def command(
             if runner:
                 values = values_given(given.pop("friction") if friction else None, given.pop("settings"))
                 named = given.pop("model") if model else None
-                given["asked"] = Asked(given.pop("parameters"), values, named)
+                given["options"] = RunnerOptions(given.pop("parameters"), values, named)
             function(**given).show(as_json, picture)
 
         made: Any = run

@@ -15,7 +15,7 @@ from ..terminal.text import headed, table
 from ..variables.table import FRICTION, VARIABLES
 from .command import Answer, command, option
 from .options import names_given
-from .runner import MODEL_OPTION, SET_OPTION, Asked, values_given
+from .runner import MODEL_OPTION, SET_OPTION, RunnerOptions, values_given
 
 if TYPE_CHECKING:
     import xarray
@@ -140,5 +140,5 @@ def _runners(
     for number in range(count):
         friction = frictions[number % len(frictions)] if frictions else None
         file = files[number % len(files)] if files else None
-        runners.append(Asked(file, values_given(friction, settings), model).runner())
+        runners.append(RunnerOptions(file, values_given(friction, settings), model).runner())
     return runners

@@ -19,7 +19,7 @@ from ..terminal.text import headed, table
 from ..variables.display_units import DisplayUnits
 from .command import Answer, command, option
 from .options import NewFile, Number, pairs_given, span_of
-from .runner import Asked
+from .runner import RunnerOptions
 
 if TYPE_CHECKING:
     import xarray
@@ -36,7 +36,7 @@ if TYPE_CHECKING:
     plot="the branch",
 )
 def continue_command(
-    asked: Asked,
+    options: RunnerOptions,
     vary: tuple[str, ...],
     max_step: float,
     max_points: int,
@@ -68,7 +68,7 @@ def continue_command(
     spans = {name: span_of(name, text) for name, text in texts.items()}
     if len(spans) > 2:
         raise InputError(f"--vary is given {len(vary)} times; allowed: once, or twice for two parameters")
-    runner = asked.runner(spans)
+    runner = options.runner(spans)
     display = DisplayUnits(texts, runner)
     if len(spans) == 2:
         if output is not None:

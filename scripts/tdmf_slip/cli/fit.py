@@ -13,7 +13,7 @@ from ..fitting.result import Fit, LeftOut
 from ..terminal.text import table
 from .command import Answer, command, option
 from .options import NewPicture, Number, names_given
-from .runner import Asked
+from .runner import RunnerOptions
 
 
 @command(
@@ -31,7 +31,7 @@ from .runner import Asked
     plot="data and fit",
 )
 def fit_command(
-    asked: Asked,
+    options: RunnerOptions,
     file: Path,
     vary: str | None,
     vary_each: str | None,
@@ -66,7 +66,7 @@ def fit_command(
     if not names and not each:
         raise InputError("--vary is missing; allowed: --vary or --vary-each, or both")
     given |= {"vary_each": each, "priors": _priors(priors), "profile": not linear}
-    found = fit(asked.runner(), file, names, progress=True, **given)
+    found = fit(options.runner(), file, names, progress=True, **given)
     left_out = found.without_each() if without_each else ()
     if report is not None:
         from ..pictures import fit_diagram

@@ -17,7 +17,7 @@ from ..variables.display_units import DisplayUnits
 from ..variables.variable import Given
 from .command import Answer, command, option
 from .options import TARGET_OPTION, NewPicture, names_given, targets_given
-from .runner import Asked
+from .runner import RunnerOptions
 
 PICTURE = "gait.png"
 """File that --plot writes if none is given."""
@@ -37,7 +37,9 @@ PICTURE = "gait.png"
         f"[without FILE: {PICTURE}]",
     ),
 )
-def gait_command(asked: Asked, targets: tuple[str, ...], vary: str | None, plot: Path | None) -> Answer:
+def gait_command(
+    options: RunnerOptions, targets: tuple[str, ...], vary: str | None, plot: Path | None
+) -> Answer:
     """Find the periodic gait, stable or not, and the eigenvalues of its return map.
 
     With --target, find the gait that meets the targets by changing the parameters in --vary. If none is
@@ -48,8 +50,8 @@ def gait_command(asked: Asked, targets: tuple[str, ...], vary: str | None, plot:
         raise InputError(f"--vary {vary}: nothing is prescribed; allowed: with --target QUANTITY=VALUE")
     if vary is None and target:
         raise InputError("--vary is missing; allowed: with --target, at least as many names as prescribed")
-    runner, names = asked.runner(), names_given(vary)
-    given = {name: value for name, (_, value) in asked.given.items()}
+    runner, names = options.runner(), names_given(vary)
+    given = {name: value for name, (_, value) in options.given.items()}
     if target:
         try:
             gait = find_gait(runner, target=target, vary=names, progress=True)

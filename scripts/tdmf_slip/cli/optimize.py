@@ -15,7 +15,7 @@ from ..terminal.text import headed, table
 from ..variables.display_units import DisplayUnits
 from .command import Answer, command, option
 from .options import TARGET_OPTION, Number, pairs_given, span_of, targets_given
-from .runner import Asked
+from .runner import RunnerOptions
 
 
 @command(
@@ -34,7 +34,7 @@ from .runner import Asked
     option("--points", of=pareto_front, kind=Number(2, MAX_POINTS, whole=True)),
 )
 def optimize_command(
-    asked: Asked,
+    options: RunnerOptions,
     minimize: tuple[str, ...],
     maximize: tuple[str, ...],
     ranges: tuple[str, ...],
@@ -59,7 +59,7 @@ def optimize_command(
     """
     texts = pairs_given(ranges, "--vary", "NAME=A:B")
     vary = {name: span_of(name, text) for name, text in texts.items()}
-    runner = asked.runner(vary)
+    runner = options.runner(vary)
     display = DisplayUnits(texts, runner)
     given |= {"target": targets_given(targets), "progress": True}
     if len(minimize) + len(maximize) > 2:

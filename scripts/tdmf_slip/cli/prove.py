@@ -13,7 +13,7 @@ from ..variables.parameters import read_parameters
 from ..variables.table import FRICTION, VARIABLES
 from .command import Answer, command, option
 from .options import ends_of, pairs_given
-from .runner import Asked, refuse_given
+from .runner import RunnerOptions, refuse_given
 from .workers import Workers
 
 if TYPE_CHECKING:
@@ -41,7 +41,7 @@ SHOWN = ("period", "length", "speed", "cost_of_transport", "slip_distance", "lif
     workers=True,
 )
 def prove_command(
-    asked: Asked,
+    options: RunnerOptions,
     workers: Workers,
     friction: str | None,
     box: str | None,
@@ -76,21 +76,21 @@ def prove_command(
     compare
         Also bound how far the stride of each solver is from the proved gait.
     """
-    options = {"--border": border, "--vary": vary, "--box": box, "--compare": compare or None}
+    exclusive = {"--border": border, "--vary": vary, "--box": box, "--compare": compare or None}
     for pair in EXCLUSIVE:
-        if all(options[name] is not None for name in pair):
+        if all(exclusive[name] is not None for name in pair):
             raise InputError(f"{' and '.join(pair)} are both given; allowed: one of them")
     if vary is None and (output is not None or workers.are_given):
         raise InputError("--output, --workers and --scheduler are for a range only; allowed: with --vary")
     if friction is not None:
-        asked = asked.at_friction(friction)
+        options = options.at_friction(friction)
     if border is not None:
-        refuse_given(asked.given, FRICTION, "--border")
+        refuse_given(options.given, FRICTION, "--border")
     ranges = {} if vary is None else pairs_given([vary], "--vary", "NAME=A:B")
-    runner = asked.runner(ranges)
-    written = {} if asked.parameters is None else read_parameters(asked.parameters)
+    runner = options.runner(ranges)
+    written = {} if options.parameters is None else read_parameters(options.parameters)
     values = {name: _as_written(value) for name, value in written.items()}
-    values |= {name: value for name, (_, value) in asked.given.items()}
+    values |= {name: value for name, (_, value) in options.given.items()}
     if border is not None:
         return _borders(runner, values, border, digits)
     from ..proof.prove import prove  # FLINT is slow to load

@@ -15,7 +15,7 @@ from ..record import without_record
 from ..terminal.text import columns, quantity
 from .command import Answer, command, option
 from .options import Number
-from .runner import Asked
+from .runner import RunnerOptions
 from .workers import Workers
 
 
@@ -35,7 +35,7 @@ from .workers import Workers
     workers=True,
 )
 def rough_command(
-    asked: Asked,
+    options: RunnerOptions,
     workers: Workers,
     roughness: float | None,
     runners: int,
@@ -70,7 +70,7 @@ def rough_command(
     rare
         Use multilevel splitting, for rare falls. Not with --runners or --max-strides.
     """
-    runner = asked.runner()
+    runner = options.runner()
     if (roughness is None) == (heights is None):
         which = "neither is given" if heights is None else "both are given"
         raise InputError(f"--roughness, --heights: {which}; allowed: one of them")

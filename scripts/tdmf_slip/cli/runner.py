@@ -41,7 +41,7 @@ MODEL_OPTION = click.option(
 
 
 @dataclass(frozen=True)
-class Asked:
+class RunnerOptions:
     """Options that describe a runner."""
 
     parameters: str | None
@@ -68,8 +68,8 @@ class Asked:
                 warnings.warn(f"{option} {name}: has no effect in the reduced map", Note, stacklevel=2)
         return runner
 
-    def at_friction(self, friction: str) -> "Asked":
-        """The same options with a friction, which may not be given already."""
+    def at_friction(self, friction: str) -> "RunnerOptions":
+        """The options with a friction, which may not be given already."""
         refuse_given(self.given, FRICTION, "--friction")
         return replace(self, given={**self.given, FRICTION: ("--friction", friction)})
 

@@ -24,7 +24,7 @@ from ..terminal.text import columns, quantity
 from ..variables.variable import Value
 from .command import Answer, command, option
 from .options import NewFile, Number, read_gait
-from .runner import Asked, file_values, refuse_given, start_values
+from .runner import RunnerOptions, file_values, refuse_given, start_values
 
 SOLVER_TOLERANCE = "solver.relative_tolerance"
 
@@ -49,7 +49,7 @@ SOLVER_TOLERANCE = "solver.relative_tolerance"
     plot="the run",
 )
 def simulate_command(
-    asked: Asked,
+    options: RunnerOptions,
     interface: str,
     from_gait: str | None,
     inputs: Path | None,
@@ -82,20 +82,20 @@ def simulate_command(
 
             refuse_resumable(output)
     fmu = load_fmu()
-    if asked.parameters is not None and from_gait is not None:
+    if options.parameters is not None and from_gait is not None:
         raise InputError("--parameters and --from-gait both give the runner; allowed: one of the two")
-    base = file_values(asked.parameters, fmu.variables)
+    base = file_values(options.parameters, fmu.variables)
     if from_gait is not None:
         base = fmu.variables.start_values(read_gait(from_gait), f"--from-gait {from_gait}")
-    starts = start_values(base, asked.given, fmu.variables)
-    _refuse_other_interface(interface, asked.given)
+    starts = start_values(base, options.given, fmu.variables)
+    _refuse_other_interface(interface, options.given)
     if tolerance is None:
         tolerance = DEFAULT_TOLERANCE
     elif interface == "cs":
         _refuse_loose(fmu, starts, tolerance)
     tables = read_tables(inputs, fmu) if inputs is not None else {}
     for name in tables:
-        refuse_given(asked.given, name, "--inputs")
+        refuse_given(options.given, name, "--inputs")
     given |= {"tolerance": tolerance, "inputs": tables, "interface": interface}
     run = run_unit(starts, progress=True, fmu=fmu, **given)
     if output is not None:

@@ -19,7 +19,7 @@ from ..variables.display_units import DisplayUnits
 from ..variables.table import FRICTION, VARIABLES
 from .command import Answer, command, json_text, option
 from .options import SPACINGS, pairs_given, values_of
-from .runner import Asked, refuse_given
+from .runner import RunnerOptions, refuse_given
 from .workers import Workers
 
 if TYPE_CHECKING:
@@ -44,7 +44,7 @@ QUANTITIES = ("period", "speed", "cost_of_transport")
     plot="the gaits",
 )
 def sweep_command(
-    asked: Asked,
+    options: RunnerOptions,
     workers: Workers,
     friction: str | None,
     vary: tuple[str, ...],
@@ -81,14 +81,14 @@ def sweep_command(
     if not texts and friction is None:
         raise InputError("neither --friction nor --vary: allowed: one of the two, or both")
     if friction is not None:
-        refuse_given({**asked.given, **dict.fromkeys(texts, ("--vary", ""))}, FRICTION, "--friction")
+        refuse_given({**options.given, **dict.fromkeys(texts, ("--vary", ""))}, FRICTION, "--friction")
         if texts and ":" not in friction:
-            asked, friction = asked.at_friction(friction), None
+            options, friction = options.at_friction(friction), None
         else:
             texts = {FRICTION: friction, **texts}
     if len(texts) > 2:
         raise InputError(f"--vary: {', '.join(texts)} are varied; allowed: one of them, or two for a grid")
-    runner = asked.runner(texts)
+    runner = options.runner(texts)
     values = {}
     for name, text in texts.items():
         check_varied(name, "--vary")

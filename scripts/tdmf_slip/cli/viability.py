@@ -23,7 +23,7 @@ from ..viable_sets.grid import MAX_CELLS, VALUES
 from ..viable_sets.viability import LARGEST_FACTOR, ViableController, viability
 from .command import Answer, command, option
 from .options import NewFile, Number, ends_of, pairs_given, range_of
-from .runner import Asked
+from .runner import RunnerOptions
 from .workers import Workers
 
 if TYPE_CHECKING:
@@ -52,7 +52,7 @@ if TYPE_CHECKING:
     plot="the sets",
 )
 def viability_command(
-    asked: Asked,
+    options: RunnerOptions,
     workers: Workers,
     axes: tuple[str, ...],
     vary: tuple[str, ...],
@@ -76,7 +76,7 @@ def viability_command(
     controller
         Write the viable action nearest to the runner's settings for each cell, as CSV.
     """
-    runner = replace(asked, model=model).runner()
+    runner = replace(options, model=model).runner()
     given |= {"model": model, "gait": find_gait(runner) if of_gait else None}
     given |= {"axes": _axes_given(axes), "vary": _vary_given(vary)}
     with workers.executor() as executor:
