@@ -95,7 +95,7 @@ def become_kernel(connection: socket.socket) -> None:
         launch_new_instance(argv=asked["options"])
         status = 0
     finally:
-        atexit._run_exitfuncs()  # as the deletion of an unpacked unit, which `_exit` would leave behind
+        atexit._run_exitfuncs()  # such as deleting an unpacked unit; `_exit` skips them
         sys.stdout.flush()
         sys.stderr.flush()
         os._exit(status)
