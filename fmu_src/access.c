@@ -8,11 +8,7 @@ static const unsigned writable = BEFORE_START | RUNNING;
 static const char *name_of_type(fmu_variable_type type) {
     static const char *const names[] = {"Real (Float64)", "Integer (Int32)", "Enumeration", "Boolean",
                                         "String"};
-    int number = 0;
-    while (type >> number > 1) {
-        ++number;
-    }
-    return names[number];
+    return names[number_of_bit(type)];
 }
 
 const fmu_variable *find_variable(const instance *instance, const char *call, uint32_t reference,

@@ -54,6 +54,14 @@ void instance_free(instance *instance) {
 
 /* ---- checks -------------------------------------------------------------------------------------------- */
 
+int number_of_bit(unsigned bit) {
+    int number = 0;
+    while (bit >> number > 1) {
+        ++number;
+    }
+    return number;
+}
+
 const char *name_of_state(call_state state) {
     static const char *const names[] = {"before initialization",
                                         "in initialization mode",
@@ -62,11 +70,7 @@ const char *name_of_state(call_state state) {
                                         "between steps of Co-Simulation",
                                         "after termination",
                                         "after an error; reset or free the instance"};
-    int number = 0;
-    while (state >> number > 1) {
-        ++number;
-    }
-    return names[number];
+    return names[number_of_bit(state)];
 }
 
 bool state_suits_interface(unsigned state, interface_kind interface, bool begun) {

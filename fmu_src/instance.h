@@ -85,6 +85,10 @@ void *instance_new(size_t size, const char *name, const char *token, interface_k
                    const char **reason);
 void instance_free(instance *instance);
 
+/* Position of the highest bit that is set: 0 for 1, 3 for 8. Enumerators that are bits have their names there
+ * in a table. */
+int number_of_bit(unsigned bit);
+
 const char *name_of_state(call_state state);
 
 /* True if an instance may be in a state of the call sequence, its run begun or not. */
