@@ -1,7 +1,7 @@
 #include "strides.h"
 
-tdmf_stride_request request_from(tdmf_apex_map map, tdmf_solver *solver, tdmf_system system,
-                                 const double *apex) {
+static tdmf_stride_request request_from(tdmf_apex_map map, tdmf_solver *solver, tdmf_system system,
+                                        const double *apex) {
     const tdmf_stride_request request = {.solver = solver, .system = system, .map = map, .apex = apex};
     return request;
 }

@@ -4,10 +4,6 @@
 
 #include "tdmf_slip/return_map.h"
 
-/* A request for strides of a map from an apex. */
-tdmf_stride_request request_from(tdmf_apex_map map, tdmf_solver *solver, tdmf_system system,
-                                 const double *apex);
-
 /* One stride by the return map, with what is measured or without, or by the reduced map. */
 tdmf_return return_map(tdmf_solver *solver, tdmf_system system, const double *apex, double until,
                        bool derivatives, const tdmf_seed *seeds, int count);
