@@ -2,10 +2,10 @@
 
 import json
 
-from .c_text import c_text, lines_of, number_text, statements, wrapped_text
+from .c_text import lines_of, number_text, wrapped_text
 from .errors import page_error
 from .expressions import forget_expressions, leaves_of, lift
-from .instants import Functions
+from .instants import Functions, answer_in_c
 from .quantities import BOUNDS, range_of
 from .tables import c_boolean
 
@@ -29,8 +29,7 @@ def requirements_in_c(page, functions):
     found = {}
     for name, function in page.model.marked("is_required").items():
         forget_expressions()
-        value, taken = page.number(function, page.keys[0], name), {}
-        body = statements([value], taken, set()) + f"    return {c_text(value, taken.get)};\n"
+        body = answer_in_c(page.number(function, page.keys[0], name))
         about = f"{name}: {function.__doc__ or ''}"
         found[name] = functions.add(f"require_{name}", "answer", body, about)
     return found
@@ -38,23 +37,18 @@ def requirements_in_c(page, functions):
 
 def requirements(unit, functions):
     """Rows of numbers that must not be negative at a start."""
-    rows = []
-    for name, margin in requirements_in_c(unit.page, functions).items():
-        function = unit.page.model.marked("is_required")[name]
+    page, rows = unit.page, []
+    for name, margin in requirements_in_c(page, functions).items():
+        function = page.model.marked("is_required")[name]
         if function.of_variable not in unit.number:
             near = f"`{function.of_variable}` is no variable of the unit"
             raise page_error(function, name, near)
         forget_expressions()
-        value = unit.page.number(function, unit.page.keys[0], name)
-        of_parameters = c_boolean(
-            not {unit.world.names[leaf.value[3:]] for leaf in leaves_of([value])} & unit.page.states.keys()
-        )
-        number, bound = (
-            unit.number[function.of_variable],
-            unit.number.get(function.allowed.split()[-1], -1),
-        )
-        allowed = json.dumps(function.allowed)
-        rows.append(f"{{{of_parameters}, {number}, {allowed}, {bound}, {margin}}},")
+        names = map(unit.world.name_of, leaves_of([page.number(function, page.keys[0], name)]))
+        of_parameters = c_boolean(page.states.keys().isdisjoint(names))
+        number = unit.number[function.of_variable]
+        bound = unit.number.get(function.allowed.split()[-1], -1)
+        rows.append(f"{{{of_parameters}, {number}, {json.dumps(function.allowed)}, {bound}, {margin}}},")
     return rows
 
 
@@ -63,8 +57,7 @@ def nominals(unit, functions):
     rows = []
     for name, function in unit.model.nominals.items():
         forget_expressions()
-        value, taken = unit.page.number(function, unit.page.keys[0], name), {}
-        body = statements([value], taken, set()) + f"    return {c_text(value, taken.get)};\n"
+        body = answer_in_c(unit.page.number(function, unit.page.keys[0], name))
         answer = functions.add(f"nominal_{name}", "answer", body, f"Typical size of {name}.")
         rows.append(f"{{{unit.world.states.index(name)}, {answer}}},")
     return rows
