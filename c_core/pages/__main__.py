@@ -98,7 +98,7 @@ shared = shared_sources(unit_files)
 compiled = {fmi: sources_of([*unit_files, *shared], fmi) for fmi in (2, 3)}
 places = {f"c_core/derived/pages/{name}" for name in unit_files}
 places |= {path.relative_to(project).as_posix() for path in shared.values()}
-template = (project / "fmu_src/documentation/index.html").read_text("utf-8")
+template = (core / "pages/unit.html").read_text("utf-8")
 files = {f"c_core/derived/pages/{name}": text for name, text in texts.items()} | {
     "modelDescription.xml": description(unit, 2, version, compiled[2]),
     "c_core/derived/unit/fmi3/modelDescription.xml": description(unit, 3, version, compiled[3]),
