@@ -31,6 +31,11 @@ UNLOADED_EARLY = (
     {"leg.extension": -0.3, "control.touchdown_angle": -2},
 )
 """Start and jumps of inputs of a foot that grazes before mid-stance, which no random start comes to."""
+SLIDING_GRAZE = {
+    "foot.x": 0, "foot.y": 0, "foot.vx": 0.5, "foot.vy": 0.5 * math.tan(0.2), "ground.slope": 0.2,
+    "leg.length": 0.95, "leg.angle": -0.4, "leg.length_rate": 0.4, "leg.angle_rate": -0.6,
+}  # fmt: skip
+"""Start of a foot that grazes on a slope while the mass rises, which random starts rarely come to."""
 
 
 def random_start(draw):
@@ -197,6 +202,8 @@ def test_declared_dependencies_are_those_observed(unit):
             jumps = {name: draw.uniform(*WIDE.get(name, (-0.1, 0.1))) for name in unit.inputs}
         if i == 1:
             start, jumps = UNLOADED_EARLY
+        if i == 2:
+            start = SLIDING_GRAZE
         probe = unit.exchange().begin(start)
         probe.model.exitInitializationMode()
         probe.model.updateDiscreteStates()
@@ -214,7 +221,6 @@ def test_declared_dependencies_are_those_observed(unit):
         probe.model.freeInstance()
     assert seen >= {("contact.mode_index", mode) for mode in range(1, 6)}
     assert seen >= {(name, value) for name in ("ground.pending", "status.fallen") for value in (0, 1)}
-    observed.of["guard.apex"].add("foot.vx")  # of a foot that grazes on a slope as the mass rises: too rare
     assert observed.of == declared
 
 
