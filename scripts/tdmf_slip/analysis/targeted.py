@@ -42,7 +42,7 @@ from .target import (
 )
 
 TRAVEL = ("speed", "frequency", "length")
-"""Quantities of which any two determine the third."""
+"""Three quantities, any two of which determine the third."""
 MINIMUM, MAXIMUM = 1e-9, 1e9
 """Least and largest prescribed value, in SI units."""
 MET = 1e-10
