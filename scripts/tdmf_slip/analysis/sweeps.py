@@ -247,9 +247,8 @@ def _blank(runner: Runner, axes: Mapping[str, NDArray[np.float64]], along: str) 
     data = gaits_dataset("sweep", nothing, axes, runner, along=along)
     if runner.reduced:
         data = data.isel(mode=slice(len(runner.coordinates)))
-    along_name = {"long_name": "number of the branch in its row"}
     return data.assign(
-        branch=(over, np.full(shape, np.nan), along_name),
+        branch=(over, np.full(shape, np.nan), {"long_name": "number of the branch in its row"}),
         began=(over, np.full(shape, "", dtype=object)),
         ended=(over, np.full(shape, "", dtype=object)),
         problem=(others, texts),
@@ -307,7 +306,8 @@ def _row(
         problems += [why_not_after]
         end = start + len(forth)
         here = slice(end - len(branch), end)
-        gaits[here], branches[here], number = [one.gait for one in branch], number, number + 1
+        gaits[here], branches[here] = [one.gait for one in branch], number
+        number += 1
         began[here.start], ended[end - 1] = why_not_before, why_not_after
         for pair in pairwise(branch):
             try:
