@@ -15,8 +15,8 @@ from ..library.gait import Gait
 from ..library.laws import Law
 from ..library.runner import Runner
 from ..library.section import COORDINATES
+from ..terminal.in_blocks import in_blocks, sizes_of
 from .ball import STARTS_AT_ONCE, Ball, ball_of, check_attracts, fates
-from .in_blocks import in_blocks, sizes_of
 
 BOX: Mapping[str, tuple[float, float]] = {
     "com_height": (0.0, 4.0),
@@ -128,7 +128,7 @@ def volume(
     seed = checked_whole("seed", seed, 0, 2**63)
     work = functools.partial(_count_fates, gait, law, ball_of(gait, ball, samples, law), seed)
     sizes = sizes_of(samples, STARTS_AT_ONCE)
-    with in_blocks(work, [*enumerate(sizes)], sizes, "volume", "starts", executor, progress) as results:
+    with in_blocks(work, [*enumerate(sizes)], "volume", "starts", executor, progress, sizes=sizes) as results:
         counted = np.sum([found for _, found in results], axis=0)
     coordinates = gait.runner.coordinates
     box = math.prod(high - low for low, high in (BOX[name] for name in coordinates))

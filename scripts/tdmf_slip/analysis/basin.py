@@ -25,12 +25,12 @@ from ..library.runner import Runner
 from ..library.section import COORDINATES, check_axes
 from ..library.shared_steps import shares_steps
 from ..record import dataset
+from ..terminal.in_blocks import in_blocks
 from ..terminal.progress import progress_bar
 from ..variables.parameters import RunnerLike
 from ..variables.table import Model
 from .ball import MAX_ALONG, STARTS_AT_ONCE, Ball, attributes_of, ball_of, fates, starts_at
 from .ball import stable_gait as stable_gait
-from .in_blocks import in_blocks
 from .preview import PREVIEW, REFINEMENTS, preview_of
 
 if TYPE_CHECKING:
@@ -295,7 +295,9 @@ def _follow_rows(made: Resumed, slice_: Slice, executor: Executor | None, progre
     parts = [missing[first : first + at_once] for first in range(0, len(missing), at_once)]
     starts = [(np.repeat(part, columns), np.tile(np.arange(columns), len(part))) for part in parts]
     sizes, done = [len(part) * columns for part in parts], (rows - len(missing)) * columns
-    with in_blocks(slice_.fates, starts, sizes, "basin", "starts", executor, progress, done=done) as results:
+    with in_blocks(
+        slice_.fates, starts, "basin", "starts", executor, progress, sizes=sizes, done=done
+    ) as results:
         for number, found in results:
             fate, strides = found.reshape(2, -1, columns)
             made.write({next(iter(slice_.along)): parts[number]}, {"fate": fate, STRIDES: strides})

@@ -24,10 +24,10 @@ from ..library.laws import Law, numbers_up_to
 from ..library.runner import Runner
 from ..library.settings import checked_values
 from ..record import entries
+from ..terminal.in_blocks import in_blocks, sizes_of
 from ..variables.parameters import RunnerLike
 from .attraction import CONFIDENCE, NORMAL_QUANTILE
 from .ball import TOLERANCE
-from .in_blocks import in_blocks, sizes_of
 from .search import periodic_gait
 
 MAX_RUNNERS = 100_000_000
@@ -234,7 +234,7 @@ def strides_to_fall(
         for number, count in enumerate(sizes)
     ]
     work = partial(count_falls, max_strides)
-    with in_blocks(work, batches, sizes, "rough", "runners", executor, progress) as results:
+    with in_blocks(work, batches, "rough", "runners", executor, progress, sizes=sizes) as results:
         counts = np.sum([found for _, found in results], axis=0)
     return FirstPassage(runner, start.word, ground.roughness, runners, *map(int, counts))
 

@@ -20,10 +20,10 @@ from ..library.laws import AffineLaw, Law, text_of_law
 from ..library.members import check_varied
 from ..library.quantities import differentiable
 from ..library.tables import Table
+from ..terminal.in_blocks import in_blocks, sizes_of
 from ..terminal.progress import progress_bar
 from ..variables.parameters import RunnerLike
 from ..variables.table import STATES, Model, full_names
-from .in_blocks import in_blocks, sizes_of
 
 if TYPE_CHECKING:
     import xarray
@@ -219,7 +219,7 @@ def _in_blocks(
     sizes = sizes_of(len(batch), largest) or [0]
     blocks = [batch.part(number * largest, size) for number, size in enumerate(sizes)]
     work = partial(_strides_of, strides)
-    with in_blocks(work, blocks, sizes, "strides", "runners", executor, progress) as results:
+    with in_blocks(work, blocks, "strides", "runners", executor, progress, sizes=sizes) as results:
         parts = in_order(results)
     return {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
 

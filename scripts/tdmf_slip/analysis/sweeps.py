@@ -25,13 +25,13 @@ from ..library.shared_steps import shares_steps
 from ..library.strides import BETWEEN_WORDS, strides_from
 from ..numerics.following import Point
 from ..record import dataset
+from ..terminal.in_blocks import in_blocks
 from ..terminal.progress import progress_bar
 from ..variables.parameters import RunnerLike
 from ..variables.table import FRICTION, Model, by_full_name, model_named
 from ..variables.variable import Given, Values
 from .along import points_over
 from .gait_problem import BranchProblem
-from .in_blocks import in_blocks
 from .search import first_gait
 from .special_points import border_between, crossings
 
@@ -139,8 +139,7 @@ def sweep(
                 made.write({}, _row(block, along, values, bar.update))
     else:
         work, done = partial(columns_of_row, along, values), len(rows) - len(missing)
-        one = [1] * len(blocks)
-        with in_blocks(work, blocks, one, "sweep", "rows", executor, progress, done=done) as results:
+        with in_blocks(work, blocks, "sweep", "rows", executor, progress, done=done) as results:
             for number, columns in results:
                 made.write(places[missing[number]], columns)
     found = Sweep(made.data.drop_vars("borders"), _borders_dataset(runner, made.data, along))

@@ -20,14 +20,14 @@ from numpy.typing import NDArray
 
 from ..analysis.attraction import Robustness, Volume, robustness, volume
 from ..analysis.first_passage import FirstPassage, strides_to_fall
-from ..blocks import in_order, run_blocks
+from ..blocks import in_order
 from ..checks import check_kind, checked, refusal
 from ..errors import InputError
 from ..given import row_of
 from ..library.gait import Gait, check_is_gait
 from ..library.ground import LARGEST, RoughGround
 from ..library.laws import AffineLaw, Law, check_law
-from ..terminal.progress import progress_bar
+from ..terminal.in_blocks import in_blocks
 from .gains import Feedback
 
 HEIGHT = "com_height"
@@ -139,11 +139,9 @@ def judge_all(
         check_is_gait(gait, "gait")
         check_law(law, gait.runner)
     grounds = [RoughGround(one, seed) for one in row_of(roughness, "roughness", "numbers in a list, m")]
-    with (
-        progress_bar("feedback", len(trials), "laws", progress) as bar,
-        run_blocks(partial(_judged, grounds, seed), trials, executor) as results,
-    ):
-        return in_order(results, lambda _: bar.update())
+    work = partial(_judged, grounds, seed)
+    with in_blocks(work, trials, "feedback", "laws", executor, progress) as results:
+        return in_order(results)
 
 
 def _judged(grounds: Sequence[RoughGround], seed: int, trial: tuple[Gait, Law | None]) -> Judgement:

@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
-from ..blocks import in_order, run_blocks
+from ..blocks import in_order
 from ..checks import checked, checked_whole
 from ..errors import InputError, TdmfSlipError
 from ..given import row_of, rows_of
 from ..record import dataset, origin_of
-from ..terminal.progress import progress_bar
+from ..terminal.in_blocks import in_blocks
 from ..variables.parameters import RunnerLike, start_values_of
 from ..variables.variable import Value
 from .fmu import Fmu, load_fmu
@@ -95,11 +95,9 @@ def simulate_many(
         fmu.variables.start_values(start_values_of(row), f"runner {number}")
         for number, row in enumerate(given)
     ]
-    with (
-        progress_bar("batch", len(starts), "runs", progress) as bar,
-        run_blocks(partial(run_one, strides, tolerance, interface), starts, executor) as finished,
-    ):
-        results = in_order(finished, lambda _: bar.update())
+    work = partial(run_one, strides, tolerance, interface)
+    with in_blocks(work, starts, "batch", "runs", executor, progress) as finished:
+        results = in_order(finished)
     return _runs(starts, results, fmu)
 
 

@@ -21,13 +21,13 @@ from flint import arb, arb_mat, ctx
 from numpy.typing import NDArray
 
 from ..analysis.search import periodic_gait
-from ..blocks import InTurn, run_blocks
+from ..blocks import InTurn
 from ..errors import InputError, RunError
 from ..library.fixed_point import gait_near
 from ..library.gait import Gait
 from ..library.runner import Runner
 from ..record import origin_of
-from ..terminal.progress import progress_bar
+from ..terminal.in_blocks import in_blocks
 from .dual import UndecidedError
 from .given import Exact, ball_of
 from .krawczyk import ROOM, Inclusion, NotIncludedError, stability
@@ -210,15 +210,12 @@ def prove_range(
     done = _done(output, head)
     open_ones = [part for part in parts if part not in done]
     blocks = [Part(gait.runner, values, name, part) for part in open_ones]
-    with (
-        progress_bar("prove", len(parts), "parts", progress) as bar,
-        run_blocks(prove_part, blocks, InTurn() if executor is None else executor) as found,
-    ):
-        bar.update(len(parts) - len(open_ones))
+    executor = InTurn() if executor is None else executor
+    done_before = len(parts) - len(open_ones)
+    with in_blocks(prove_part, blocks, "prove", "parts", executor, progress, done=done_before) as found:
         for number, subintervals in found:
             done[open_ones[number]] = subintervals
             _write(output, head, open_ones[number], subintervals)
-            bar.update()
     in_order = [subinterval for part in parts for subinterval in done[part]]
     return RangeProof(all(of.proved for of in in_order), values, name, *ends, in_order)
 

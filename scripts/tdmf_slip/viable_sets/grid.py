@@ -30,7 +30,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..analysis.ball import starts_at
-from ..blocks import run_blocks
 from ..checks import check_size, checked_whole
 from ..errors import InputError
 from ..files.resume import Resumed
@@ -41,7 +40,7 @@ from ..library.runner import Runner
 from ..library.section import REDUCED, check_axes
 from ..library.settings import check_acts, checked_values, setting_number
 from ..record import dataset
-from ..terminal.progress import progress_bar
+from ..terminal.in_blocks import in_blocks
 from ..variables.table import by_full_name
 
 if TYPE_CHECKING:
@@ -223,15 +222,12 @@ def fill_transitions(
     row_size = math.prod(fate.shape[1:])
     at_once = max(1, STRIDES_IN_A_BLOCK // row_size)
     blocks = [missing[first : first + at_once] for first in range(0, len(missing), at_once)]
-    with (
-        progress_bar("strides", fate.size, "strides", progress) as bar,
-        run_blocks(partial(strides_of, runner, grid, point), blocks, executor) as results,
-    ):
-        bar.update((len(fate) - len(missing)) * row_size)
+    sizes, done = [len(block) * row_size for block in blocks], (len(fate) - len(missing)) * row_size
+    work = partial(strides_of, runner, grid, point)
+    with in_blocks(work, blocks, "strides", "strides", executor, progress, sizes=sizes, done=done) as results:
         for number, (fates, nexts) in results:
             images = {f"next_{axis}": image for axis, image in zip(grid.edges, nexts, strict=True)}
             file.write({corner: blocks[number]}, {"fate": fates} | images)
-            bar.update(fates.size)
 
 
 PAIRS_AT_ONCE = 1_000_000

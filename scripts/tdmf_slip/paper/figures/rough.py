@@ -7,10 +7,10 @@ import pandas
 from matplotlib.figure import Figure
 
 from ...analysis.first_passage import FirstPassage, strides_to_fall
-from ...blocks import in_order, run_blocks
+from ...blocks import in_order
 from ...library.runner import Runner
 from ...pictures import style
-from ...terminal.progress import progress_bar
+from ...terminal.in_blocks import in_blocks
 from ...variables.table import FRICTION
 from ..matched import at_frictions
 from .data import Results, table_of
@@ -32,8 +32,8 @@ def table(results: Results) -> pandas.DataFrame:
     own = len(trials)
     matched = at_frictions(results.runner, REFERENCE, FRICTIONS)
     trials += [(gait.runner, MATCHED_ROUGHNESS) for gait in matched if gait.stable]
-    with progress_bar("rough", len(trials), "means", True) as bar, run_blocks(_passage, trials) as passages:
-        found = in_order(passages, lambda _: bar.update())
+    with in_blocks(_passage, trials, "rough", "means", progress=True) as passages:
+        found = in_order(passages)
     data = means(found, "mean_strides", "roughness", "word", "runners", *COUNTED)
     data.insert(0, "matched", [number >= own for number in range(len(trials))])
     data.insert(2, "friction", [runner[FRICTION] for runner, _ in trials])

@@ -1,4 +1,4 @@
-"""Many starts or runners in blocks on any executor, with a bar that counts them."""
+"""Independent blocks of work on any executor, with a bar that counts what is done."""
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import Executor
@@ -6,7 +6,7 @@ from contextlib import contextmanager
 from typing import TypeVar
 
 from ..blocks import run_blocks
-from ..terminal.progress import Bar, progress_bar
+from .progress import Bar, progress_bar
 
 Block = TypeVar("Block")
 Result = TypeVar("Result")
@@ -21,19 +21,20 @@ def sizes_of(total: int, largest: int) -> list[int]:
 def in_blocks(
     work: Callable[[Block], Result],
     blocks: Sequence[Block],
-    sizes: Sequence[int],
     title: str,
     unit: str,
     executor: Executor | None = None,
     progress: bool = False,
     *,
+    sizes: Sequence[int] | None = None,
     done: int = 0,
 ) -> Iterator[Iterator[tuple[int, Result]]]:
     """Context that yields the number and the result of each block, in the order in which they are done.
 
-    `sizes` say how many of the units that the bar counts each block holds, and `done` how many were done
-    before. See `run_blocks` for the executor.
+    `sizes` are the numbers of units in the blocks, by default one in each, and `done` is the number of units
+    done before. See `run_blocks` for the executor.
     """
+    sizes = [1] * len(blocks) if sizes is None else sizes
     with (
         progress_bar(title, done + sum(sizes), unit, progress) as bar,
         run_blocks(work, blocks, executor) as results,
