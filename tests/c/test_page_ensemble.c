@@ -21,7 +21,7 @@ typedef struct {
     double values[RUNNERS][STRIDES][NOTED];
     unsigned char events[RUNNERS][STRIDES][EVENTS];
     tdmf_ensemble_notes notes;
-    double nominal, low, high, gain[1][TDMF_POINT_LIMIT];
+    double nominal, low, high, gain[1][TDMF_POINT_LIMIT], gaits[1][TDMF_POINT_LIMIT];
     tdmf_affine_law law;
     tdmf_ensemble_case scenario;
     tdmf_ensemble ensemble;
@@ -35,7 +35,8 @@ static int number_of(const tdmf_page *page, tdmf_page_item kind, const char *nam
     return number;
 }
 
-/* Some of the heights are those of runners that fall or do not start. */
+/* Some of the heights are those of runners that fall or do not start. No runner settles on the gait, but each
+ * apex is compared with it. */
 static void prepare(hoppers *h) {
     memset(h, 0, sizeof *h);
     h->page = tdmf_page_named("classic_slip");
@@ -65,7 +66,12 @@ static void prepare(hoppers *h) {
                                .noise = {0.01},
                                .seed = 3};
     h->scenario = (tdmf_ensemble_case){
-        .parameters = h->parameters, .states = h->states, .rules = {.max_strides = STRIDES, .law = &h->law}};
+        .parameters = h->parameters,
+        .states = h->states,
+        .rules = {.gaits = (const double(*)[TDMF_POINT_LIMIT])h->gaits,
+                  .gait_count = 1,
+                  .max_strides = STRIDES,
+                  .law = &h->law}};
     h->ensemble = (tdmf_ensemble){.page = h->page,
                                   .section = h->section,
                                   .notes = &h->notes,
