@@ -109,17 +109,13 @@ static bool start(tdmf_member *member) {
     const tdmf_model_kind *of = model_of(member->ensemble);
     tdmf_page_run *run = member->run;
     const double *point = member->end->apex;
-    double sum = 0.0; /* 0, or not a number */
-    for (int i = 0; i < section->count; ++i) {
-        sum += 0.0 * point[i];
-    }
     run->time = run->time_rest = 0.0;
     run->mode = run->chain = run->log_count = 0;
     run->taken = run->above = run->late = 0;
     run->stop_event = section->event;
     *member->until = longest;
     member->has_started = true;
-    if (sum != 0.0 || !tdmf_are_page_values_sound(of, run->p, member->held)) {
+    if (!tdmf_is_page_point_sound(section, point) || !tdmf_are_page_values_sound(of, run->p, member->held)) {
         return tdmf_give_up(member, TDMF_FATE_NO_START);
     }
     memcpy(run->x, member->held, (size_t)of->state_count * sizeof *run->x);

@@ -127,14 +127,18 @@ bool tdmf_is_page_map_sound(tdmf_refusal *why, const tdmf_page_map *map) {
                                                                      model_of(map->page)->section_count - 1);
 }
 
-bool tdmf_is_page_point_sound(const tdmf_page_map *map, const double *point) {
-    return point && are_finite(point, model_of(map->page)->sections[map->section].count);
+bool tdmf_is_page_point_sound(const tdmf_section_kind *section, const double *point) {
+    return point && are_finite(point, section->count);
+}
+
+static const tdmf_section_kind *section_of(const tdmf_page_map *map) {
+    return &model_of(map->page)->sections[map->section];
 }
 
 static bool is_sound(tdmf_refusal *why, const tdmf_page_map *map, const double *point) {
     return tdmf_is_page_map_sound(why, map) && tdmf_accepts_pointer(why, "point", point) &&
-           (tdmf_is_page_point_sound(map, point) ||
-            are_numbers(why, "point[]", NULL, point, model_of(map->page)->sections[map->section].count)) &&
+           (tdmf_is_page_point_sound(section_of(map), point) ||
+            are_numbers(why, "point[]", NULL, point, section_of(map)->count)) &&
            are_values_sound(why, map);
 }
 
@@ -292,7 +296,7 @@ bool tdmf_page_fixed_point(const tdmf_page_map *map, double *point) {
     const tdmf_fixed_point found = tdmf_find_crossing(&section, point, &last);
     close_memory(&of);
     if (found.outcome == TDMF_FIXED_POINT_FOUND) {
-        memcpy(point, found.point, (size_t)section.model->sections[map->section].count * sizeof *point);
+        memcpy(point, found.point, (size_t)section_of(map)->count * sizeof *point);
     }
     return found.outcome == TDMF_FIXED_POINT_FOUND;
 }
@@ -304,7 +308,7 @@ bool tdmf_page_place(const tdmf_page_map *map, const double *point, double *stat
     }
     const tdmf_model_kind *model = model_of(map->page);
     memcpy(states, map->states, (size_t)model->state_count * sizeof *states);
-    model->sections[map->section].enter(map->parameters, map->states, point, states);
+    section_of(map)->enter(map->parameters, map->states, point, states);
     return true;
 }
 
@@ -356,7 +360,8 @@ static bool are_complete(tdmf_refusal *why, const tdmf_page_map *map, const tdmf
                          const int *sampled) {
     return samples->count >= 0 && samples->times && samples->states && samples->outputs && samples->modes &&
            sampled && !samples->d_states == !samples->d_outputs &&
-           (samples->point ? tdmf_is_page_map_sound(why, map) && tdmf_is_page_point_sound(map, samples->point)
+           (samples->point ? tdmf_is_page_map_sound(why, map) &&
+                                 tdmf_is_page_point_sound(section_of(map), samples->point)
                            : is_sound_without_section(why, map));
 }
 
@@ -410,7 +415,7 @@ tdmf_page_end tdmf_page_begin(const tdmf_page_map *map, double *states, const td
     tdmf_page_run r = begun(map, samples, of.numbers);
     keep_log(map, &r, of.numbers + size);
     if (!samples) {
-        r.stop_event = model->sections[map->section].event;
+        r.stop_event = section_of(map)->event;
     }
     const int requirement = tdmf_unmet_requirement(model, &r);
     tdmf_page_end end = refused(requirement);

@@ -55,7 +55,7 @@ static bool begin(const tdmf_page_batch *batch, int64_t number, double *arrays, 
     const tdmf_model_kind *model = model_of(batch);
     const tdmf_page_map map = map_of_run(batch, number);
     const double *point = batch->points + number * model->sections[map.section].count;
-    if (!tdmf_is_page_point_sound(&map, point) ||
+    if (!tdmf_is_page_point_sound(&model->sections[map.section], point) ||
         !tdmf_are_page_values_sound(model, map.parameters, map.states)) {
         return false;
     }

@@ -20,10 +20,10 @@ extern const int tdmf_page_count;
 /* Identity of a library that `tdmf-slip build` made. */
 extern const char *const tdmf_build_identity;
 
-/* Checks of a map apart from its parameters and states, of parameters and states, and of a point. */
+/* Checks of a map but for its numbers, of its parameters and states, and of a point of its section. */
 bool tdmf_is_page_map_sound(tdmf_refusal *why, const tdmf_page_map *map);
 bool tdmf_are_page_values_sound(const tdmf_model_kind *model, const double *parameters, const double *states);
-bool tdmf_is_page_point_sound(const tdmf_page_map *map, const double *point);
+bool tdmf_is_page_point_sound(const tdmf_section_kind *section, const double *point);
 
 /* A run with the settings of a map, which a section starts. */
 tdmf_page_run tdmf_run_of_page_map(const tdmf_page_map *map);
