@@ -82,12 +82,16 @@ static void open_stride(tdmf_member *member, double steps_left) {
     *member->until = run->time + member->kind->longest_stride(member);
 }
 
+void tdmf_restart(tdmf_page_run *run) {
+    run->mode = run->chain = 0;
+    run->taken = run->above = run->late = 0;
+}
+
 /* Clears the time, the mode and the events of a run; its counters go on. */
 static void forget(tdmf_member *member) {
     tdmf_page_run *run = member->run;
     run->time = run->time_rest = 0.0;
-    run->mode = run->chain = 0;
-    run->taken = run->above = run->late = 0;
+    tdmf_restart(run);
     member->has_started = false;
     member->first_event = run->events;
 }

@@ -89,6 +89,9 @@ void tdmf_member_stops(const tdmf_ensemble *ensemble, int64_t index, tdmf_ensemb
 /* The case of a runner. */
 const tdmf_ensemble_case *tdmf_case_of(const tdmf_ensemble *ensemble, int64_t index);
 
+/* Puts a run into the first mode, before any event. Its time and its counters go on. */
+void tdmf_restart(tdmf_page_run *run);
+
 /* True if a law or the request changes settings at apices. */
 bool tdmf_has_settings(const tdmf_member *member);
 

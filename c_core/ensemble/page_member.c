@@ -110,8 +110,8 @@ static bool start(tdmf_member *member) {
     tdmf_page_run *run = member->run;
     const double *point = member->end->apex;
     run->time = run->time_rest = 0.0;
-    run->mode = run->chain = run->log_count = 0;
-    run->taken = run->above = run->late = 0;
+    run->log_count = 0;
+    tdmf_restart(run);
     run->stop_event = section->event;
     *member->until = longest;
     member->has_started = true;

@@ -192,10 +192,8 @@ static bool begin_stride(tdmf_member *member) {
 /* A run of the reduced map starts anew at an apex where something may change: its leg is placed as it is set.
  */
 static void start_anew(tdmf_member *member) {
-    tdmf_page_run *run = member->run;
-    run->mode = run->chain = 0;
-    run->taken = run->above = run->late = 0;
-    run->stop_event = member->begins;
+    tdmf_restart(member->run);
+    member->run->stop_event = member->begins;
     member->has_started = false;
 }
 
