@@ -119,9 +119,7 @@ static void write_start(const tdmf_ensemble *ensemble, int64_t index, tdmf_ensem
 static bool begin(tdmf_member *member) {
     const tdmf_ensemble *ensemble = member->ensemble;
     write_start(ensemble, member->index, member->end);
-    if (tdmf_has_settings(member)) {
-        tdmf_apply_settings(member);
-    }
+    tdmf_apply_settings(member);
     if (!member->kind->start(member)) {
         return false;
     }

@@ -95,7 +95,7 @@ void tdmf_restart(tdmf_page_run *run);
 /* True if a law or the request changes settings at apices. */
 bool tdmf_has_settings(const tdmf_member *member);
 
-/* Writes the settings of the stride that begins. */
+/* Writes the settings of the stride that begins, if there are any. */
 void tdmf_apply_settings(tdmf_member *member);
 
 /* The number of the stride under way among those that are recorded, over all runners; -1: it is not. */

@@ -216,9 +216,7 @@ static bool begin_next_stride(tdmf_member *member) {
     if (!is_reduced && is_below_ground(member)) {
         return tdmf_give_up(member, TDMF_FATE_FELL);
     }
-    if (tdmf_has_settings(member)) {
-        tdmf_apply_settings(member);
-    }
+    tdmf_apply_settings(member);
     const bool has_ended = member->page->model->modes[member->run->mode].ends; /* there is no start */
     if (!is_reduced || !(has_ended || tdmf_member_changes(member))) {
         return begin_stride(member);
