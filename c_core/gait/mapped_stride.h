@@ -23,17 +23,11 @@ bool tdmf_begin_mapped_stride(tdmf_mapped_stride *s, const tdmf_stride_request *
 /* Writes a stride whose run has come to its apex. */
 void tdmf_close_mapped_stride(tdmf_mapped_stride *s, tdmf_return *result);
 
-/* A stride of the reduced map, whose result is all zero. */
-void tdmf_run_reduced_stride(const tdmf_stride_request *request, tdmf_return *result);
-
 /* Checks a request for a stride of any map. */
 bool tdmf_is_sound_stride(tdmf_refusal *why, const tdmf_stride_request *request);
 
 /* The time that a stride may take, s. */
 double tdmf_longest_of(const tdmf_stride_request *request);
-
-/* Outcome of a stride from the end of a solver's call for it, or for its stance. */
-tdmf_return_outcome tdmf_return_outcome_of(tdmf_stride_outcome ended);
 
 /* Writes the quantities of the stride that the record closed last, in a run that began with it; `state` has
  * what is lost up to the end of the stance. */

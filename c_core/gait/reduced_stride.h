@@ -34,4 +34,7 @@ bool tdmf_reduced_stride_goes_on(tdmf_reduced_stride *s, tdmf_run_outcome outcom
 /* Writes a stride that is over. */
 void tdmf_close_reduced_stride(tdmf_reduced_stride *s, tdmf_return *result);
 
+/* Makes a stride alone. */
+void tdmf_run_reduced_stride(const tdmf_stride_request *request, tdmf_return *result);
+
 #endif

@@ -7,6 +7,7 @@
 #include "kinematics.h"
 #include "mapped_stride.h"
 #include "patch.h"
+#include "reduced_stride.h"
 #include "refusal.h"
 #include "request.h"
 #include "stride_limits.h"
@@ -82,22 +83,6 @@ static bool begin_motion(const tdmf_stride_request *request, tdmf_motion *motion
 }
 
 /* ---- results of both maps ------------------------------------------------------------------------------ */
-
-tdmf_return_outcome tdmf_return_outcome_of(tdmf_stride_outcome ended) {
-    if (ended.closed) {
-        return TDMF_RETURN_CLOSED;
-    }
-    switch (ended.outcome) {
-    case TDMF_ARRIVED:
-        return TDMF_RETURN_TOO_LONG;
-    case TDMF_FELL:
-        return TDMF_RETURN_FELL;
-    case TDMF_REFUSED:
-        return TDMF_RETURN_REFUSED;
-    default:
-        return TDMF_RETURN_UNSOLVED;
-    }
-}
 
 void tdmf_write_return(const tdmf_record *record, const double state[TDMF_STATE_COUNT], tdmf_return *result) {
     result->stride = record->stride;
@@ -294,15 +279,31 @@ void tdmf_close_mapped_stride(tdmf_mapped_stride *s, tdmf_return *result) {
     write_stride(s, result);
 }
 
+/* Outcome of a stride from the end of the solver's call for it. */
+static tdmf_return_outcome outcome_of(tdmf_outcome ended, bool has_closed) {
+    if (has_closed) {
+        return TDMF_RETURN_CLOSED;
+    }
+    switch (ended) {
+    case TDMF_ARRIVED:
+        return TDMF_RETURN_TOO_LONG;
+    case TDMF_FELL:
+        return TDMF_RETURN_FELL;
+    case TDMF_REFUSED:
+        return TDMF_RETURN_REFUSED;
+    default:
+        return TDMF_RETURN_UNSOLVED;
+    }
+}
+
 void tdmf_run_stride(const tdmf_stride_request *request, tdmf_return *result) {
     tdmf_mapped_stride s;
     if (request != NULL && request->map == TDMF_REDUCED_MAP) {
         tdmf_run_reduced_stride(request, result);
     } else if (tdmf_begin_mapped_stride(&s, request, result)) {
         result->solver = tdmf_run_page_solver(&s.solver, tdmf_longest_of(request), EVENT_apex);
-        const tdmf_stride_outcome ended = {result->solver, s.solver.has_stopped};
-        result->outcome = tdmf_return_outcome_of(ended);
-        if (ended.closed) {
+        result->outcome = outcome_of(result->solver, s.solver.has_stopped);
+        if (result->outcome == TDMF_RETURN_CLOSED) {
             tdmf_close_mapped_stride(&s, result);
         }
     }
