@@ -210,7 +210,7 @@ static inline void keep_guards(const page_lanes *b, int lane, mode_start *at) {
     }
 }
 
-/* Copies what load_run has loaded of the mode, and what has changed since. */
+/* Copies what load_run has loaded of the mode, but for the flags of its guards, see keep_guards. */
 static inline void unload_mode(const page_lanes *b, int lane, mode_start *at) {
     const page_step *step = &b->step;
     const int constant_count = step->motion->constant_count;
@@ -226,7 +226,6 @@ static inline void unload_mode(const page_lanes *b, int lane, mode_start *at) {
             d[i] = lane_of(&b->d[seed * b->d_stride + i], lane);
         }
     }
-    keep_guards(b, lane, at);
 }
 
 /* ---- variations ---------------------------------------------------------------------------------------- */
