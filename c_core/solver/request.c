@@ -11,7 +11,7 @@
 #include <string.h>
 
 static bool is_sound_tolerance(tdmf_refusal *why, double relative_tolerance) {
-    if (tdmf_is_tolerance(relative_tolerance)) {
+    if (relative_tolerance > 0.0 && relative_tolerance < 1.0) {
         return true;
     }
     const tdmf_refusal refusal = {.code = TDMF_OUT_OF_RANGE,

@@ -6,12 +6,6 @@
 #include "tdmf_slip/solver.h"
 
 /* Checks that say why, as those of refusal.h. */
-
-/* A share that steps may err by. */
-static inline bool tdmf_is_tolerance(double relative_tolerance) {
-    return relative_tolerance > 0.0 && relative_tolerance < 1.0;
-}
-
 bool tdmf_is_sound_solver(tdmf_refusal *why, const tdmf_solver *solver);
 bool tdmf_is_sound_system(tdmf_refusal *why, tdmf_system system);
 
