@@ -182,6 +182,7 @@ static void record_stride(const tdmf_member *member, const tdmf_ensemble_end *be
 static void scales(const tdmf_member *member, double of[TDMF_POINT_LIMIT]) {
     const tdmf_section_kind *section = section_of(member->ensemble);
     double of_events[TDMF_PAGE_EVENT_LIMIT];
+    /* The states held are restored where the next stride begins. */
     member->model->scales(member->run->p, member->held, of_events);
     for (int i = 0; i < section->count; ++i) {
         of[i] = member->held[section->coordinates[i]];

@@ -24,7 +24,7 @@ typedef enum {
 typedef struct {
     tdmf_refusal_code code; /* kind of the refusal */
     const char *variable;   /* name of the variable in the FMU, "leg.length", or of the argument,
-                               "solver.step_limit"; NULL if nothing was refused */
+                               "solver.log.count"; NULL if nothing was refused */
     int64_t index;          /* the element's number, from 0, if the name has a "[]"; else 0 */
     const char *unit;       /* unit of value and limits; NULL if the value is no number */
     double value;           /* the number given */

@@ -4,9 +4,9 @@
  *     while (tdmf_native_advance(&solver, system, NULL, motion.time + 0.01, &motion) == TDMF_ARRIVED)
  *         draw(&motion);
  *
- * The solver expands the motion in each contact mode into Taylor series. The tolerance decides how long a
- * step is and of which order. Guards are polynomials in time; the search for their first root cannot jump
- * over one. Nothing is allocated and nothing is kept between calls, so you may copy a solver like any value.
+ * The solver expands the motion in each contact mode into Taylor series. The tolerance decides the length
+ * and the order of a step. Guards are polynomials in time; the search for their first root cannot jump over
+ * one. Nothing is allocated and nothing is kept between calls, so you may copy a solver like any value.
  */
 #ifndef TDMF_SLIP_SOLVER_H
 #define TDMF_SLIP_SOLVER_H
