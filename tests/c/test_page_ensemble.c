@@ -65,13 +65,12 @@ static void prepare(hoppers *h) {
                                .high = &h->high,
                                .noise = {0.01},
                                .seed = 3};
-    h->scenario = (tdmf_ensemble_case){
-        .parameters = h->parameters,
-        .states = h->states,
-        .rules = {.gaits = (const double(*)[TDMF_POINT_LIMIT])h->gaits,
-                  .gait_count = 1,
-                  .max_strides = STRIDES,
-                  .law = &h->law}};
+    h->scenario = (tdmf_ensemble_case){.parameters = h->parameters,
+                                       .states = h->states,
+                                       .rules = {.gaits = (const double(*)[TDMF_POINT_LIMIT])h->gaits,
+                                                 .gait_count = 1,
+                                                 .max_strides = STRIDES,
+                                                 .law = &h->law}};
     h->ensemble = (tdmf_ensemble){.page = h->page,
                                   .section = h->section,
                                   .notes = &h->notes,
