@@ -164,11 +164,29 @@ void tdmf_member_stops(const tdmf_ensemble *ensemble, int64_t index, tdmf_ensemb
 
 /* ---- the end of a stride ------------------------------------------------------------------------------- */
 
+/* A checkpoint of the ensemble's model, with nothing else in it. */
+static tdmf_ensemble_checkpoint checkpoint_of(const tdmf_ensemble *ensemble) {
+    const tdmf_model_kind model = tdmf_kind_of(ensemble)->model(ensemble, false);
+    const tdmf_ensemble_checkpoint checkpoint = {.stands = true,
+                                                 .parameter_count = model.parameter_count,
+                                                 .state_count = model.state_count,
+                                                 .mode_count = model.mode_count,
+                                                 .event_count = model.event_count,
+                                                 .section = ensemble->section};
+    return checkpoint;
+}
+
+bool tdmf_is_of_model(const tdmf_ensemble_checkpoint *from, const tdmf_ensemble *ensemble) {
+    const tdmf_ensemble_checkpoint own = checkpoint_of(ensemble);
+    return from->parameter_count == own.parameter_count && from->state_count == own.state_count &&
+           from->mode_count == own.mode_count && from->event_count == own.event_count &&
+           from->section == own.section;
+}
+
 static void write_checkpoint(const tdmf_member *member) {
     if (member->ensemble->checkpoints) {
         tdmf_ensemble_checkpoint *checkpoint = &member->ensemble->checkpoints[member->index];
-        memset(checkpoint, 0, sizeof *checkpoint);
-        checkpoint->stands = true;
+        *checkpoint = checkpoint_of(member->ensemble);
         member->kind->save(member, checkpoint);
     }
 }

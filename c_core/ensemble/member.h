@@ -81,6 +81,9 @@ bool tdmf_member_changes(const tdmf_member *member);
 /* Handles a stop of the run at the start, an apex or elsewhere. Returns false if the runner has ended. */
 bool tdmf_member_goes_on(tdmf_member *member, tdmf_run_outcome outcome);
 
+/* True if a checkpoint was written for the model and the section of the ensemble. */
+bool tdmf_is_of_model(const tdmf_ensemble_checkpoint *from, const tdmf_ensemble *ensemble);
+
 /* Writes the end of a runner that has not begun because the ensemble was stopped. */
 void tdmf_member_stops(const tdmf_ensemble *ensemble, int64_t index, tdmf_ensemble_end *end);
 

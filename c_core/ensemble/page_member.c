@@ -39,6 +39,8 @@ static bool are_notes(tdmf_refusal *why, const tdmf_ensemble_notes *notes, int s
 static bool is_sound(tdmf_refusal *why, const tdmf_ensemble *ensemble) {
     const tdmf_model_kind *model = model_of(ensemble);
     return (!ensemble->notes || are_notes(why, ensemble->notes, model->state_count)) &&
+           tdmf_accepts_if(why, !ensemble->notes || ensemble->strides, TDMF_EXCLUDED, "notes", 0,
+                           "they are those of recorded strides, and no strides are recorded") &&
            tdmf_accepts_number(why, "section", "1", ensemble->section, 0.0, model->section_count - 1) &&
            tdmf_accepts_if(why, !ensemble->foot_x, TDMF_EXCLUDED, "foot_x", 0, "a page has no foot");
 }
@@ -53,9 +55,10 @@ static bool is_case(tdmf_refusal *why, const tdmf_ensemble_case *its_case, const
                TDMF_EXCLUDED, "cases[].rules.roughness", 0, "a page has no drawn ground and no terrain");
 }
 
+/* A stride begins at the last point of the section, in the first mode. */
 static bool is_checkpoint(const tdmf_ensemble_checkpoint *from, const tdmf_ensemble *ensemble) {
-    (void)from, (void)ensemble;
-    return true;
+    (void)ensemble;
+    return from->mode == 0;
 }
 
 static bool range(const tdmf_ensemble *ensemble, int setting, double *least, double *most) {

@@ -199,9 +199,13 @@ static bool has_checkpoints(tdmf_refusal *why, const tdmf_ensemble *ensemble) {
     }
     for (int64_t i = 0; ensemble->goes_on && i < ensemble->count; ++i) {
         const tdmf_ensemble_checkpoint *from = &ensemble->checkpoints[i];
-        const bool is_sound = !from->stands || tdmf_kind_of(ensemble)->is_checkpoint(from, ensemble);
-        if (!tdmf_accepts_if(why, is_sound, TDMF_EXCLUDED, "checkpoints[].mode", i,
-                             "the model has no such mode")) {
+        if (!from->stands) {
+            continue;
+        }
+        if (!tdmf_accepts_if(why, tdmf_is_of_model(from, ensemble), TDMF_EXCLUDED, "checkpoints[]", i,
+                             "it is of another model or section") ||
+            !tdmf_accepts_if(why, tdmf_kind_of(ensemble)->is_checkpoint(from, ensemble), TDMF_EXCLUDED,
+                             "checkpoints[].mode", i, "the model has no such mode")) {
             return false;
         }
     }

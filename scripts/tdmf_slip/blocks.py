@@ -34,6 +34,16 @@ class InTurn(Executor):
         return future
 
 
+def check_executor(executor: object) -> None:
+    """Refuse what runs no blocks."""
+    check_kind(
+        executor,
+        (Executor, NoneType),
+        "executor",
+        "a concurrent.futures.Executor, as ThreadPoolExecutor(4) or client.get_executor() of Dask",
+    )
+
+
 @contextlib.contextmanager
 def run_blocks(
     work: Callable[[Block], Result], blocks: Iterable[Block], executor: Executor | None = None
@@ -46,12 +56,7 @@ def run_blocks(
     A block that fails and an interrupt are raised after the results that were ready before. At the end of
     the context, waiting blocks are cancelled, and the flag ends blocks that run in this process.
     """
-    check_kind(
-        executor,
-        (Executor, NoneType),
-        "executor",
-        "a concurrent.futures.Executor, as ThreadPoolExecutor(4) or client.get_executor() of Dask",
-    )
+    check_executor(executor)
     flag = new_flag()
     pending: dict[Future[Result], int] = {}
     with contextlib.ExitStack() as stack:

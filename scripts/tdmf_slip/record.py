@@ -3,7 +3,7 @@
 JSON has the record as `version`, `model` and `runner`; a result from which a run can begin has `start_values`
 instead of `runner`, and a proof has its exact `parameters`. A dataset has `version`, `model` and `runner` as
 attributes, and `result`, the kind of the result. The runner is one JSON text, because attributes of NetCDF
-files are numbers and texts.
+files are numbers and texts. A model of one's own is recorded by its `build`, too.
 """
 
 import functools
@@ -24,13 +24,14 @@ RUNNERS = ("runner", "start_values")
 """Entries that hold a runner's values, by the unit's names."""
 SPECTRA = ("eigenvalues", "uncontrollable")
 """Attributes of results that are complex numbers, even if none of them has an imaginary part."""
-NAMES = ("version", "model", *RUNNERS)
+NAMES = ("version", "model", "build", *RUNNERS)
 """Entries of a record."""
 
 
 def origin_of(runner: Any = None, *, version: str = __version__) -> dict[str, str]:
     """The version and the runner's model, for a result that records its runners in other entries."""
-    return {"version": version, "model": "full" if runner is None else runner.model.name}
+    origin = {"version": version, "model": "full" if runner is None else runner.model.name}
+    return origin | ({"build": runner.model.build} if runner is not None and runner.model.build else {})
 
 
 def record_of(runner: Any, *varied: str) -> dict[str, Any]:
@@ -72,8 +73,9 @@ def dataset(
     runner: dict[str, Any] = {}
     for name in RUNNERS:
         runner |= record.get(name, {})
-    texts = {"version": record["version"], "model": record["model"], "runner": json.dumps(runner)}
-    return xarray.Dataset(variables, coordinates, {"result": kind, **texts, **attributes})
+    texts = {name: record[name] for name in ("version", "model", "build") if name in record}
+    about = {"result": kind, **texts, "runner": json.dumps(runner), **attributes}
+    return xarray.Dataset(variables, coordinates, about)
 
 
 class Search(Protocol[Given, Found_co]):

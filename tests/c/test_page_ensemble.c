@@ -216,6 +216,25 @@ TEST(runs_settle_at_a_fixed_point_of_the_page) {
     }
 }
 
+TEST(checkpoints_of_another_model_or_section_are_refused) {
+    static hoppers h;
+    tdmf_ensemble_checkpoint *last = &h.checkpoints[0];
+    int *const parts[] = {&last->parameter_count, &last->state_count, &last->mode_count,
+                          &last->event_count,     &last->section,     &last->mode};
+    for (size_t i = 0; i < sizeof parts / sizeof *parts; ++i) {
+        prepare(&h);
+        memcpy(h.starts[0], h.starts[RUNNERS - 2], sizeof h.starts[0]); /* it does not fall */
+        run(&h);
+        assert_true(last->stands);
+        h.ensemble.goes_on = true;
+        run(&h);
+        ++*parts[i];
+        const tdmf_refusal refusal = tdmf_run_ensemble(&h.ensemble, h.ends, NULL);
+        assert_int_equal(refusal.code, TDMF_EXCLUDED);
+        assert_int_equal(refusal.index, 0);
+    }
+}
+
 #define REFUSED(change)                                                                                      \
     do {                                                                                                     \
         prepare(&h);                                                                                         \
@@ -240,6 +259,7 @@ TEST(requests_that_a_page_cannot_meet_are_refused) {
     REFUSED(h.notes.values = NULL);
     REFUSED(h.notes.events = NULL);
     REFUSED(h.noted[1] = -1);
+    REFUSED(h.ensemble.strides = NULL);
     REFUSED(h.law.settings = &unknown);
     REFUSED(h.law.noise[2] = 0.1);
     REFUSED(h.high = NAN);

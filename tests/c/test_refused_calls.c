@@ -419,8 +419,7 @@ CHANGE(balls_without_numbers, p->rules->gaits = apex_of_none; p->rules->gait_cou
 CHANGE(notes_below_zero, p->ensemble->stride_count = -1)
 CHANGE(notes_from_below_zero, p->ensemble->first_stride = -1)
 CHANGE(goes_on_from_nowhere, p->ensemble->goes_on = true; p->ensemble->checkpoints = NULL)
-CHANGE(goes_on_in_no_mode, p->ensemble->goes_on = true; p->checkpoints[RUNNERS - 1].stands = true;
-       p->checkpoints[RUNNERS - 1].mode = 77)
+CHANGE(goes_on_as_another_model, p->ensemble->goes_on = true; p->checkpoints[RUNNERS - 1].stands = true)
 CHANGE(given_no_values, p->ensemble->given = &p->given)
 CHANGE(given_no_settings, p->given.settings = NULL; p->given.values = p->one; p->ensemble->given = &p->given)
 CHANGE(law_without_settings, p->law.settings = NULL)
@@ -445,7 +444,7 @@ TEST(ensembles_refuse_counts_without_arrays) {
                    {notes_below_zero, "stride_count"},
                    {notes_from_below_zero, "first_stride"},
                    {goes_on_from_nowhere, "checkpoints"},
-                   {goes_on_in_no_mode, "checkpoints[].mode"},
+                   {goes_on_as_another_model, "checkpoints[]"},
                    {given_no_values, "given.values"},
                    {given_no_settings, "given.settings"},
                    {law_without_settings, "cases[].rules.law.settings"},

@@ -461,6 +461,8 @@ def test_wrong_arguments_are_said(fmu):
         run_blocks(abs, [1], 4),
     ):
         pass
+    with pytest.raises(InputError, match=r"executor = 3 .*a concurrent\.futures\.Executor"):
+        tdmf_slip.sweep(None, {FRICTION: [0.6, 0.5]}, executor=3)
     with pytest.raises(InputError, match="runners: none; allowed"):
         batch.simulate_many([], strides=1, fmu=fmu)
     with pytest.raises(InputError, match="runner 1"):

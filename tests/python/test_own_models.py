@@ -1,5 +1,6 @@
 """Models of users' own: from a page to a library, and what the package's analyses say of them."""
 
+import dataclasses
 import json
 import pickle
 import re
@@ -13,13 +14,13 @@ import tdmf_slip
 from conftest import ROOT
 from page_runs import COMPILER
 from scipy_strides import Stride, torque_of_gains
-from tdmf_slip import Batch, InputError, Runner, find_gait, load_model, stride_map
+from tdmf_slip import Batch, InputError, Runner, find_gait, gait_at, load_model, stride_map
 from tdmf_slip.building.build import derived, new_folder
 from tdmf_slip.building.sources import page_in
 from tdmf_slip.builds import TABLE
 from tdmf_slip.errors import Note
 from tdmf_slip.library.engine import FATES
-from tdmf_slip.variables.table import OWN_MODELS
+from tdmf_slip.variables.table import BUILDS, OWN_MODELS
 
 pytestmark = pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
 GAINS = {"stance_kp": 0.02, "stance_kd": 0.03}
@@ -132,8 +133,19 @@ def test_a_model_is_one_object_and_survives_pickling(ball):
     assert again == runner and again.model is ball and again["push"] == 2.0
 
 
+def test_a_result_finds_its_model_by_the_build_though_another_has_the_name(ball, monkeypatch):
+    gaits = tdmf_slip.sweep(ball, {"push": [1.0, 2.0]}).gaits
+    other = dataclasses.replace(ball, table={**ball.table, "id": "another"})
+    monkeypatch.setitem(OWN_MODELS, ball.name, other)
+    assert gait_at(gaits, push=2.0).runner.model is ball
+    monkeypatch.setitem(OWN_MODELS, ball.name, ball)
+    with pytest.warns(Note, match=f"my_ball: the result is from build gone, loaded is {ball.build}; load"):
+        gait_at(gaits.assign_attrs(build="gone"), push=2.0)
+
+
 def test_a_library_of_another_version_or_built_anew_is_refused(ball, tmp_path, monkeypatch):
-    monkeypatch.setitem(OWN_MODELS, ball.name, ball)  # datasets find a model by its name
+    monkeypatch.setitem(OWN_MODELS, ball.name, ball)  # the tests' model stays the one of its name
+    monkeypatch.setitem(BUILDS, ball.build, ball)
     folder = tmp_path / "build"
     shutil.copytree(ball.folder, folder)
     model = load_model(folder)

@@ -147,7 +147,9 @@ typedef struct {
  * content is for the library only. */
 enum { TDMF_CHECKPOINT_STATES = 112 };
 typedef struct {
-    bool stands;                           /* true while the runner can go on; false if its run is over */
+    bool stands; /* true while the runner can go on; false if its run is over */
+    int parameter_count, state_count, mode_count, event_count; /* sizes of its model */
+    int section;                           /* section of the page; the runner has one only */
     int mode, chain;                       /* mode, and length of the chain of events, at the apex */
     double time, time_rest;                /* s */
     double ground_height, ground_slope;    /* ground at the apex, m and rad */
@@ -155,7 +157,7 @@ typedef struct {
     double states[TDMF_CHECKPOINT_STATES]; /* states of the runner's page */
 } tdmf_ensemble_checkpoint;
 
-/* States and events of a page's strides that are recorded, a row for each runner and stride. */
+/* States and events of a page's strides that are recorded in `strides`, a row for each runner and stride. */
 typedef struct {
     int count;             /* states */
     const int *states;     /* their numbers */
@@ -255,7 +257,9 @@ typedef struct {
  *   - terrain comes with a slope, a push, gaits to settle on, the reduced map, or settings of height, slope
  * or push;
  *   - a number of a law or a ball is beyond 1e100, or a law's limits are not a range;
- *   - a checkpoint to resume from is in a mode that its page does not have. */
+ *   - there are notes without recorded strides;
+ *   - a checkpoint to resume from is of another model or section, or in a mode that its page does not have.
+ */
 TDMF_API tdmf_refusal tdmf_run_ensemble(const tdmf_ensemble *ensemble, tdmf_ensemble_end *ends,
                                         tdmf_ensemble_work *work);
 

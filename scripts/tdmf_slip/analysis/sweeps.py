@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from ..blocks import check_executor
 from ..checks import check_size, refusal
 from ..errors import InputError, RunError, TdmfSlipError
 from ..files.resume import Resumed
@@ -28,7 +29,7 @@ from ..record import dataset
 from ..terminal.in_blocks import in_blocks
 from ..terminal.progress import progress_bar
 from ..variables.parameters import RunnerLike
-from ..variables.table import FRICTION, Model, by_full_name, model_named
+from ..variables.table import FRICTION, Model, by_full_name, model_recorded
 from ..variables.variable import Given, Values
 from .along import points_over
 from .gait_problem import BranchProblem
@@ -116,6 +117,7 @@ def sweep(
     >>> tdmf_slip.gait_at(gaits, friction=0.6).stable
     True
     """
+    check_executor(executor)
     runner = Runner(runner, model=model)
     axes = checked_axes(vary, runner.model)
     along = FRICTION if FRICTION in axes else list(axes)[-1]
@@ -179,7 +181,7 @@ def gait_at(gaits: xarray.Dataset, **where: Given) -> Gait:
     '+0-0+'
     """
     attributes = getattr(gaits, "attrs", {})
-    model = model_named(attributes.get("model", "full"))
+    model = model_recorded(attributes)
     needed = ["word", *(f"apex_{name}" for name in model.coordinates)]
     kind = attributes.get("result")
     if kind not in HAVE_GAITS or any(name not in gaits for name in needed):
@@ -205,7 +207,7 @@ def gait_at(gaits: xarray.Dataset, **where: Given) -> Gait:
 
 def gaits_in(gaits: xarray.Dataset) -> list[Gait]:
     """All gaits of a dataset, in its order."""
-    model = model_named(gaits.attrs["model"])
+    model = model_recorded(gaits.attrs)
     words, over = gaits["word"], gaits["word"].dims
     varied = [str(name) for name in gaits.coords if name in model.variables]
     columns = {name: gaits[name].broadcast_like(words).transpose(*over).values.ravel() for name in varied}

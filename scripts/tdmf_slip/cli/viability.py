@@ -18,7 +18,7 @@ from ..library.section import REDUCED
 from ..library.settings import setting_number
 from ..record import runner_in
 from ..terminal.text import columns
-from ..variables.table import MODELS, VARIABLES
+from ..variables.table import MODELS, VARIABLES, model_recorded
 from ..viable_sets.grid import MAX_CELLS, VALUES
 from ..viable_sets.viability import LARGEST_FACTOR, ViableController, viability
 from .command import Answer, command, option
@@ -94,7 +94,7 @@ def _plain(found: "xarray.Dataset") -> dict[str, Any]:
     edges = {axis: found[f"{axis}_edge"].values for axis in REDUCED}
     values = {str(name): found[name].values for name in settings}
     plain: dict[str, Any] = {
-        **Runner(runner_in(found), model=found.attrs["model"]).record(),
+        **Runner(runner_in(found), model=model_recorded(found.attrs)).record(),
         "axes": {axis: [float(of[0]), float(of[-1])] for axis, of in edges.items()},
         "vary": {name: [float(of[0]), float(of[-1]), len(of)] for name, of in values.items()},
         "cells": list(found["viable"].shape),

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from ..checks import check_kind, near_matches
 from ..record import dataset, entries, origin_of, runner_in
-from ..variables.table import FRICTION, MODELS, VARIABLES, model_named
+from ..variables.table import FRICTION, MODELS, VARIABLES, model_recorded
 from .events import Event, Letter, letters_of
 from .members import Along
 from .quantities import LEDGER as LEDGER
@@ -312,7 +312,7 @@ def first_runner_in(data: "xarray.Dataset") -> Runner:
 
     Without these names the recorded values may be refused, or seem to mix units.
     """
-    model = model_named(data.attrs["model"])
+    model = model_recorded(data.attrs)
     first = {
         str(name): float(data[name].values.flat[0])
         for name in data.coords

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from ..builds import FOLDER, TABLE, host
 from ..checks import is_one_of, path_of, shown
 from ..errors import InputError, reason
-from ..variables.table import ALIASES, MODELS, OWN_MODELS, Model, Quantity, Variables
+from ..variables.table import ALIASES, BUILDS, MODELS, OWN_MODELS, Model, Quantity, Variables
 from ..variables.variable import Value, Variable
 from ..version import __version__
 from .binding import ffi, text_of
@@ -71,6 +71,11 @@ class OwnModel(Model):
     def is_own(self) -> bool:
         """It is a model of a user's own page."""
         return True
+
+    @property
+    def build(self) -> str:
+        """The identity of the build, and the section of the return map."""
+        return " ".join([self.table["id"], *([self.section_name] if self.section_name else [])])
 
     @property
     def unit(self) -> Path:
@@ -262,8 +267,10 @@ def load_model(path: str | os.PathLike[str], *, section: str | None = None) -> O
         key = folder, str(table["id"]), str(number)
         if key not in _loaded:
             _loaded[key] = _model(folder, table, number)
-        OWN_MODELS[_loaded[key].name] = _loaded[key]
-        return _loaded[key]
+        model = _loaded[key]
+        OWN_MODELS[model.name] = model
+        BUILDS[model.build] = model
+        return model
 
 
 def _text(code: float, letters: str) -> str:

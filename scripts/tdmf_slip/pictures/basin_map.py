@@ -23,7 +23,7 @@ from ..library.engine import FATES, SETTLED
 from ..library.runner import Runner
 from ..record import runner_in
 from ..variables import paper_units
-from ..variables.table import FRICTION, VARIABLES, model_named, paper_unit, scale
+from ..variables.table import FRICTION, VARIABLES, model_recorded, paper_unit, scale
 from . import style
 
 if TYPE_CHECKING:
@@ -178,7 +178,7 @@ def of_strides(made: "xarray.Dataset") -> Figure:
     """Height and speed of the apices, stride by stride."""
     apices = np.concatenate([made["apex"].values[:, :1], made["next_apex"].values], axis=1)
     figure, panels = style.subplots(2, 1, figsize=(6.8, 5.4), sharex=True)
-    model, names = model_named(made.model), made["coordinate"].values.tolist()
+    model, names = model_recorded(made.attrs), made["coordinate"].values.tolist()
     drawn = DRAWN if set(DRAWN) <= set(names) else names[: len(DRAWN)]
     for axes, name in zip(panels, drawn, strict=False):
         _draw_runners(axes, apices[..., names.index(name)])

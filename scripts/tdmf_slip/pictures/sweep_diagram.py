@@ -16,7 +16,7 @@ from ..analysis.sweeps import Sweep
 from ..errors import InputError
 from ..record import runner_in
 from ..variables.display_units import DisplayUnits
-from ..variables.table import model_named
+from ..variables.table import model_recorded
 from . import style
 
 if TYPE_CHECKING:
@@ -43,7 +43,7 @@ def figure_of(
     dimensions = gaits["word"].ndim
     if not np.isfinite(gaits["period"]).any():
         raise InputError("plot: a sweep without gaits; allowed: one that has some")
-    model = model_named(gaits.attrs.get("model", "full"))
+    model = model_recorded(gaits.attrs)
     display = display or DisplayUnits(values=runner_in(gaits), model=model)
     return _curves(gaits, borders, display) if dimensions == 1 else _map(gaits, display)
 

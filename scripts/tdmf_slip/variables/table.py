@@ -3,6 +3,7 @@
 Its data are derived from the runner's page and its unit. Nothing is parsed at import.
 """
 
+import warnings
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
@@ -10,7 +11,7 @@ from types import MappingProxyType
 from typing import Any
 
 from ..checks import check_kind, is_one_of, near_matches, shown
-from ..errors import InputError
+from ..errors import InputError, Note
 from ..given import mapping_of, row_of
 from . import data
 from .units import paper_label
@@ -155,6 +156,11 @@ class Model:
         return False
 
     @property
+    def build(self) -> str:
+        """The build and the section of a model of one's own, by which results find it again; else empty."""
+        return ""
+
+    @property
     def full(self) -> "Model":
         """The model that has all quantities of a stride: the full one for the reduced map, else this one."""
         return self if self.is_own else MODELS["full"]
@@ -216,7 +222,9 @@ def _models() -> dict[str, Model]:
 MODELS: Mapping[str, Model] = MappingProxyType(_models())
 """The package's own models, by name."""
 OWN_MODELS: dict[str, Model] = {}
-"""Models of users' own pages that were loaded last under a name, which results record."""
+"""Models of users' own pages that were loaded last under a name."""
+BUILDS: dict[str, Model] = {}
+"""Models of users' own pages that were loaded, by their builds, which results record."""
 
 
 def model_named(name: object) -> Model:
@@ -228,6 +236,20 @@ def model_named(name: object) -> Model:
         allowed = f"{', '.join(known)}, or a model that load_model gives"
         raise InputError(f"model {shown(name)} is not allowed; allowed: {allowed}")
     return known[name]
+
+
+def model_recorded(record: Mapping[str, Any]) -> Model:
+    """The model of a saved result: that of the recorded build, else the one that has the name."""
+    build = record.get("build", "")
+    found = BUILDS.get(build) or model_named(record.get("model", "full"))
+    if found.build != build:
+        warnings.warn(
+            f"model {found.name}: the result is from build {build or 'unknown'}, loaded is {found.build}; "
+            "load the folder of the first by load_model if the page has changed",
+            Note,
+            stacklevel=3,
+        )
+    return found
 
 
 def model_of(given: object, model: object) -> Model:

@@ -22,7 +22,7 @@ from ..library.runner import Runner
 from ..library.section import REDUCED, Apex, checked_apex
 from ..record import runner_in
 from ..variables.parameters import RunnerLike
-from ..variables.table import by_full_name, model_of
+from ..variables.table import by_full_name, model_of, model_recorded
 from ..variables.variable import Given
 from .grid import (
     Grid,
@@ -85,7 +85,7 @@ class ViableController:
             {str(axis): viable[f"{axis}_edge"].values for axis in (first, second)},
             {str(name): viable[name].values for name in names},
         )
-        runner = Runner(runner_in(viable), model=viable.attrs["model"])
+        runner = Runner(runner_in(viable), model=model_recorded(viable.attrs))
         self.columns = self.grid.columns(runner)
         given = by_full_name(wish, "wish", "a mapping of settings to numbers", runner.model.aliases)
         check_names(given, (*self.grid.actions,), "wish")
