@@ -3,20 +3,10 @@
 #include "motion_instant.h"
 #include "page_fields.h"
 
-#include <string.h>
-
 tdmf_outputs outputs_of(tdmf_system system, const tdmf_motion *motion) {
     tdmf_outputs outputs;
     tdmf_outputs_of(system, motion, &outputs);
     return outputs;
-}
-
-tdmf_outputs outputs_at(tdmf_system system, const tdmf_mode *mode, const double state[TDMF_STATE_COUNT]) {
-    tdmf_motion motion;
-    memset(&motion, 0, sizeof motion);
-    motion.mode = *mode;
-    memcpy(motion.state, state, sizeof motion.state);
-    return outputs_of(system, &motion);
 }
 
 double impact_on(tdmf_system system, const tdmf_ground_line *ground, double state[TDMF_STATE_COUNT]) {

@@ -4,11 +4,12 @@
 
 #include "contact_mode.h"
 #include "kinematics.h"
+#include "system_of.h"
 #include "tdmf_slip/tdmf_slip.h"
 
-/* The outputs of a motion, and those of a mode and a state. */
+/* Outputs of a motion, or of a structure that has a model, inputs and a motion, by a pointer to it. */
 tdmf_outputs outputs_of(tdmf_system system, const tdmf_motion *motion);
-tdmf_outputs outputs_at(tdmf_system system, const tdmf_mode *mode, const double state[TDMF_STATE_COUNT]);
+#define OUTPUTS_OF(structure) outputs_of(SYSTEM_OF(structure), &(structure)->motion)
 
 /* Applies the impact map (4)-(6) of the page to a state whose foot moves into the ground, and no other event.
  * Returns the energy lost, J. */

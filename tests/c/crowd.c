@@ -81,15 +81,9 @@ void assert_crowd_is_refused(crowd *crowd) {
     assert_memory_equal(&crowd->ends[0], &before, sizeof before);
 }
 
-int list_instructions(tdmf_instructions sets[TDMF_INSTRUCTIONS_COUNT]) {
-    int count = 0;
-    for (int set = TDMF_ONE_BY_ONE; set < TDMF_INSTRUCTIONS_COUNT; ++set) {
-        if (tdmf_has_instructions((tdmf_instructions)set)) {
-            sets[count++] = (tdmf_instructions)set;
-        } else {
-            print_message("not here: %s\n", tdmf_instructions_name((tdmf_instructions)set));
-        }
-    }
-    assert_true(count >= 2);
-    return count;
+tdmf_instructions next_instructions(tdmf_instructions set) {
+    do {
+        set = (tdmf_instructions)(set + 1);
+    } while (set < TDMF_INSTRUCTIONS_COUNT && !tdmf_has_instructions(set));
+    return set;
 }

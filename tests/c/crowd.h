@@ -35,7 +35,10 @@ void run_crowd(crowd *crowd, tdmf_instructions instructions);
 /* Asserts that its ensemble is refused, and that nothing is written. */
 void assert_crowd_is_refused(crowd *crowd);
 
-/* Instruction sets that the processor has, one by one first; asserts that there are two at least. */
-int list_instructions(tdmf_instructions sets[TDMF_INSTRUCTIONS_COUNT]);
+/* Loops over the instruction sets that the processor has, one by one first. */
+#define FOR_INSTRUCTIONS(set)                                                                                \
+    for (tdmf_instructions set = TDMF_ONE_BY_ONE; set < TDMF_INSTRUCTIONS_COUNT; set = next_instructions(set))
+
+tdmf_instructions next_instructions(tdmf_instructions set);
 
 #endif

@@ -1,5 +1,6 @@
 #include "declared.h"
 
+#include "count_of.h"
 #include "ranges.h"
 
 #include <math.h>
@@ -27,7 +28,7 @@ static dimension dimension_of_factor(const char *name, size_t length) {
         const dimension *dimension;
     } known[] = {{"kg", &si_kg},  {"m", &si_m},      {"s", &si_s},    {"rad", &si_rad},
                  {"1", &no_unit}, {"N", &si_newton}, {"J", &si_joule}};
-    for (size_t i = 0; i < sizeof known / sizeof known[0]; ++i) {
+    for (size_t i = 0; i < COUNT_OF(known); ++i) {
         if (strlen(known[i].name) == length && memcmp(known[i].name, name, length) == 0) {
             return *known[i].dimension;
         }

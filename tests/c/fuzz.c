@@ -21,7 +21,7 @@ double random_value(random_source *source) {
     static const double special[] = {0.0,  -0.0, 1.0,     -1.0,    1e-300,   -1e-300,  5e-324,
                                      1e12, 1e60, DBL_MAX, DBL_MIN, -DBL_MAX, INFINITY, NAN};
     if (random_chance(source, 0.3)) {
-        return special[random_index(source, sizeof special / sizeof special[0])];
+        return special[random_index(source, COUNT_OF(special))];
     }
     return random_uniform(source, -1.0, 1.0) * random_magnitude(source, 1e-6, 1e6);
 }

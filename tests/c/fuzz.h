@@ -5,6 +5,7 @@
 #ifndef TDMF_TESTS_FUZZ_H
 #define TDMF_TESTS_FUZZ_H
 
+#include "count_of.h"
 #include "random.h"
 #include "variables.h"
 

@@ -37,7 +37,7 @@ static void expect_numbers_of_motion(const subject *on) {
                               outputs.hip.torque,   outputs.energy.total,   outputs.energy.impact_loss,
                               outputs.stride.speed, outputs.stride.work,    outputs.stride.cost_of_transport,
                               outputs.apex.time,    outputs.apex.com_speed, outputs.apex.com_height};
-    expect_numbers(0, numbers, sizeof numbers / sizeof numbers[0]);
+    expect_numbers(0, numbers, COUNT_OF(numbers));
 }
 
 static double random_time(const subject *on) {
@@ -165,7 +165,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size) {
     random_source source = {0};
     subject on = {.source = &source, .solver = tdmf_solver_default()};
     random_draw_from(bytes, size);
-    on.decades = decades[random_index(&source, sizeof decades / sizeof decades[0])];
+    on.decades = decades[random_index(&source, COUNT_OF(decades))];
     const declared_runner runner = declared_random(&source, on.decades);
     on.inputs = runner.inputs;
     if (random_chance(&source, 0.5)) {
@@ -182,7 +182,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size) {
     on.motion.time = 0.0;
     if (tdmf_model_create(&on.model, &runner.parameters).variable == NULL &&
         tdmf_start(SYSTEM_OF(&on), &on.motion).variable == NULL) {
-        call_until_used_up(&source, calls, sizeof calls / sizeof calls[0], &on);
+        call_until_used_up(&source, calls, COUNT_OF(calls), &on);
     }
     return 0;
 }

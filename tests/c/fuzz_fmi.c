@@ -333,7 +333,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size) {
     static void (*const calls[])(void *) = {get_any,        get_all,          set_any,  change_mode,
                                             switch_logging, start_over,       evaluate, differentiate,
                                             step,           save_and_restore, step,     make_event};
-    const size_t call_count = sizeof calls / sizeof calls[0];
+    const size_t call_count = COUNT_OF(calls);
     random_source source = {0};
     subject on;
     random_draw_from(bytes, size);

@@ -52,9 +52,8 @@ runner scene_at_impact(tdmf_hip_phase phase, double leg_angle, double vertical_f
 
 static double total_torque(const runner *runner) {
     const tdmf_mode *mode = &runner->motion.mode;
-    return mode->contact == TDMF_CONTACT_GRAZE
-               ? runner->inputs.hip.external_torque
-               : outputs_at(SYSTEM_OF(runner), mode, runner->motion.state).hip.torque;
+    return mode->contact == TDMF_CONTACT_GRAZE ? runner->inputs.hip.external_torque
+                                               : OUTPUTS_OF(runner).hip.torque;
 }
 
 /* The torque acts through its lever, the leg length sought: a contracting fixed point. */
@@ -287,8 +286,7 @@ double scene_force_tolerance(const runner *runner) {
     const tdmf_parameters *p = &runner->model.parameters;
     const double length = runner->motion.state[TDMF_LEG_LENGTH];
     const double turning = runner->motion.state[TDMF_LEG_ANGLE_RATE];
-    const double torque =
-        outputs_at(SYSTEM_OF(runner), &runner->motion.mode, runner->motion.state).hip.torque;
+    const double torque = OUTPUTS_OF(runner).hip.torque;
     const double forces = runner->model.scales.force + fabs(torque) / length +
                           p->leg.damping * fabs(runner->motion.state[TDMF_LEG_LENGTH_RATE]) +
                           p->body.mass * length * turning * turning;

@@ -6,6 +6,12 @@
 #include <math.h>
 #include <string.h>
 
+void skip_without_cvode(void) {
+    if (!tdmf_cvode_is_available()) {
+        skip();
+    }
+}
+
 tdmf_model accepted_model(const tdmf_parameters *parameters) {
     tdmf_model model;
     assert_null(tdmf_model_create(&model, parameters).variable);
@@ -86,8 +92,7 @@ const tdmf_event *simulation_event(const simulation *simulation, tdmf_guard guar
 }
 
 double simulation_energy(const simulation *simulation) {
-    const tdmf_motion *motion = &simulation->motion;
-    return outputs_at(SYSTEM_OF(simulation), &motion->mode, motion->state).energy.total;
+    return OUTPUTS_OF(simulation).energy.total;
 }
 
 double simulation_ledger_error(const simulation *simulation) {
@@ -117,7 +122,7 @@ void assert_same_stride(const tdmf_stride *a, const tdmf_stride *b, double toler
                                {a->slip_distance, b->slip_distance},
                                {a->peak_force, b->peak_force},
                                {a->peak_vertical_force, b->peak_vertical_force}};
-    for (size_t i = 0; i < sizeof pairs / sizeof pairs[0]; ++i) {
+    for (size_t i = 0; i < COUNT_OF(pairs); ++i) {
         assert_close(pairs[i][0], pairs[i][1], tolerance * (1.0 + fabs(pairs[i][1])));
     }
     assert_string_equal(a->word, b->word);
@@ -125,7 +130,5 @@ void assert_same_stride(const tdmf_stride *a, const tdmf_stride *b, double toler
 }
 
 void assert_same_state(const tdmf_motion *a, const tdmf_motion *b, double tolerance) {
-    for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
-        assert_close(a->state[i], b->state[i], tolerance * (1.0 + fabs(b->state[i])));
-    }
+    assert_all_close(a->state, b->state, TDMF_STATE_COUNT, tolerance, tolerance);
 }

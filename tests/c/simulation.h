@@ -21,6 +21,9 @@ typedef struct {
 typedef tdmf_outcome solver_call(tdmf_solver *solver, tdmf_system system, const tdmf_inputs *rates,
                                  double until, tdmf_motion *motion);
 
+/* Skips the test in a build without CVODE. */
+void skip_without_cvode(void);
+
 /* The model of these parameters; asserts that the library accepts them. */
 tdmf_model accepted_model(const tdmf_parameters *parameters);
 

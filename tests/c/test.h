@@ -8,6 +8,8 @@
 #ifndef TDMF_TESTS_TEST_H
 #define TDMF_TESTS_TEST_H
 
+#include "count_of.h"
+
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

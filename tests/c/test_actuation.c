@@ -69,9 +69,7 @@ TEST(ramps_of_every_input_close_the_ledger_and_agree_with_cvode) {
         assert_true(native.motion.state[TDMF_LEG_WORK] != 0.0);
         if (tdmf_cvode_is_available()) {
             const simulation other = ramped(seed, tdmf_cvode_advance, 1e-11, 1e-8);
-            for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
-                assert_close(native.motion.state[i], other.motion.state[i], 1e-6);
-            }
+            assert_all_close(native.motion.state, other.motion.state, TDMF_STATE_COUNT, 1e-6, 0.0);
             assert_int_equal(native.motion.record.event_count, other.motion.record.event_count);
         }
     }
@@ -270,9 +268,7 @@ TEST(the_extremes_of_every_range_are_survived) {
         run.solver.step_limit = run.solver.event_limit = 30000;
         const tdmf_outcome outcome = simulation_advance(&run, 40.0);
         ++counts[outcome];
-        for (int k = 0; k < TDMF_STATE_COUNT; ++k) {
-            assert_true(isfinite(run.motion.state[k]));
-        }
+        assert_all_finite(run.motion.state, TDMF_STATE_COUNT);
     }
     assert_int_equal(counts[TDMF_REFUSED], 0);
     assert_true(counts[TDMF_ARRIVED] + counts[TDMF_FELL] > 5);

@@ -51,7 +51,7 @@ static void check_in_every_mode(check holds) {
 /* ---- energy ----------------------------------------------------------------------------------------- */
 
 static double total_energy(const runner *runner) {
-    return outputs_at(SYSTEM_OF(runner), &runner->motion.mode, runner->motion.state).energy.total;
+    return OUTPUTS_OF(runner).energy.total;
 }
 
 static void power_balances(const runner *runner) {
@@ -72,19 +72,15 @@ static void integrals_follow_their_definitions(const runner *runner) {
     double derivatives[TDMF_STATE_COUNT];
     tdmf_derivatives(SYSTEM_OF(runner), &runner->motion.mode, runner->motion.state, derivatives);
     const double length_rate = runner->motion.state[TDMF_LEG_LENGTH_RATE];
-    const double power =
-        outputs_at(SYSTEM_OF(runner), &runner->motion.mode, runner->motion.state).hip.torque *
-        runner->motion.state[TDMF_LEG_ANGLE_RATE];
+    const double power = OUTPUTS_OF(runner).hip.torque * runner->motion.state[TDMF_LEG_ANGLE_RATE];
     const double damped = runner->model.parameters.leg.damping * length_rate * length_rate;
-    const double rubbed =
-        -outputs_at(SYSTEM_OF(runner), &runner->motion.mode, runner->motion.state).contact.tangential *
-        tdmf_foot_over_ground(&runner->motion.mode.ground, runner->motion.state).vx;
+    const double rubbed = -OUTPUTS_OF(runner).contact.tangential *
+                          tdmf_foot_over_ground(&runner->motion.mode.ground, runner->motion.state).vx;
     /* On the ground the leg's rates come from the body's velocity, so they round with its size. */
     const double speed = fabs(length_rate) + fabs(runner->motion.state[TDMF_LEG_LENGTH] *
                                                   runner->motion.state[TDMF_LEG_ANGLE_RATE]);
     const double rounding = 1e-15 * runner->model.parameters.leg.damping * fabs(length_rate) * speed;
-    const double torque =
-        outputs_at(SYSTEM_OF(runner), &runner->motion.mode, runner->motion.state).hip.torque;
+    const double torque = OUTPUTS_OF(runner).hip.torque;
     const double forces = fabs(torque) / runner->motion.state[TDMF_LEG_LENGTH] + runner->model.scales.force;
     const double rounding_of_power = 1e-14 * forces * (speed + runner->model.scales.speed);
     assert_close(derivatives[TDMF_HIP_WORK], power, rounding_of_power);

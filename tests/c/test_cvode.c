@@ -20,9 +20,7 @@ static tdmf_outcome advance(simulation *run, double until) {
 }
 
 TEST(limits_are_those_of_a_call) {
-    if (!tdmf_cvode_is_available()) {
-        skip();
-    }
+    skip_without_cvode();
     for (long limit = 0; limit < 3000; limit += 600) {
         simulation run = begin(1e-9);
         run.solver.step_limit = limit;
@@ -54,13 +52,11 @@ TEST(requests_without_sense_are_refused) {
 TEST(another_scale_is_the_same_work) {
     static const double finer = 1e-11;
     static const int exponents[][3] = {{0, -10, 0}, {-8, 6, 3}, {10, -4, -5}, {0, 9, 0}};
-    if (!tdmf_cvode_is_available()) {
-        skip();
-    }
+    skip_without_cvode();
     simulation plain = begin(finer);
     assert_int_equal(advance(&plain, 60.0), TDMF_ARRIVED);
     assert_int_equal(plain.motion.record.stride.count, 2);
-    for (size_t i = 0; i < sizeof exponents / sizeof exponents[0]; ++i) {
+    for (size_t i = 0; i < COUNT_OF(exponents); ++i) {
         const double length = ldexp(1.0, exponents[i][0]), time = ldexp(1.0, exponents[i][1]);
         const double mass = ldexp(1.0, exponents[i][2]);
         const factors by = {mass, mass / (time * time), length};
@@ -80,9 +76,7 @@ TEST(another_scale_is_the_same_work) {
 
 /* Friction that is taken away from under a foot at rest, between two calls. */
 TEST(an_input_that_has_jumped_is_met_before_the_first_step) {
-    if (!tdmf_cvode_is_available()) {
-        skip();
-    }
+    skip_without_cvode();
     simulation standing = begin(1e-9);
     assert_int_equal(advance(&standing, 10.0), TDMF_ARRIVED);
     while (standing.motion.mode.contact != TDMF_CONTACT_STICK) {
@@ -102,9 +96,7 @@ TEST(an_input_that_has_jumped_is_met_before_the_first_step) {
 /* CVODE does not integrate the clock; its steps read it all the same. */
 TEST(a_leg_that_is_retracted_goes_by_the_clock) {
     int in_place = 0, others = 0;
-    if (!tdmf_cvode_is_available()) {
-        skip();
-    }
+    skip_without_cvode();
     simulation run = begin(1e-9);
     tdmf_parameters retracted = run.model.parameters;
     retracted.hip.retraction_rate = 0.01;

@@ -53,14 +53,14 @@ typedef struct {
 
 static double loss_of_ledger(const run *run) {
     const double *state = run->motion.state;
-    return outputs_at(SYSTEM_OF(run), &run->motion.mode, state).energy.total - run->start_energy -
-           state[TDMF_HIP_WORK] - state[TDMF_LEG_WORK] - state[TDMF_ENERGY_EXTERNAL_WORK] +
-           state[TDMF_ENERGY_DAMPER_LOSS] + state[TDMF_ENERGY_FRICTION_LOSS] + run->motion.record.impact_loss;
+    return OUTPUTS_OF(run).energy.total - run->start_energy - state[TDMF_HIP_WORK] - state[TDMF_LEG_WORK] -
+           state[TDMF_ENERGY_EXTERNAL_WORK] + state[TDMF_ENERGY_DAMPER_LOSS] +
+           state[TDMF_ENERGY_FRICTION_LOSS] + run->motion.record.impact_loss;
 }
 
 static double largest_energy(const run *run) {
     const double *state = run->motion.state;
-    const tdmf_outputs now = outputs_at(SYSTEM_OF(run), &run->motion.mode, state);
+    const tdmf_outputs now = OUTPUTS_OF(run);
     const double thrust = run->model.parameters.leg.thrust + run->inputs.control.thrust;
     const double of_thrust = run->model.parameters.leg.stiffness * thrust * thrust; /* off again, maybe */
     return now.energy.kinetic + fabs(now.energy.potential) + now.energy.elastic + of_thrust +
@@ -108,7 +108,7 @@ static const char *not_a_number(const run *run) {
             return "a state is not finite";
         }
     }
-    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; ++i) {
+    for (size_t i = 0; i < COUNT_OF(numbers); ++i) {
         if (isnan(numbers[i])) {
             return "an output is not a number";
         }
@@ -196,7 +196,7 @@ static const char *broken_contact(const run *run, tdmf_outcome outcome) {
     const tdmf_mode *mode = &run->motion.mode;
     const double *state = run->motion.state;
     const tdmf_point foot = tdmf_foot_over_ground(&mode->ground, state);
-    const tdmf_outputs now = outputs_at(SYSTEM_OF(run), mode, state);
+    const tdmf_outputs now = OUTPUTS_OF(run);
     const double turning = state[TDMF_LEG_LENGTH] * state[TDMF_LEG_ANGLE_RATE];
     const double speed = run->model.scales.speed + fabs(turning) + fabs(foot.vx);
     const double share = 2.0 * TDMF_GUARD_MARGIN + 1e2 * run->solver.relative_tolerance;
@@ -228,7 +228,7 @@ static const char *what_is_wrong(const run *run, tdmf_outcome outcome) {
     }
     const char *found[] = {false_fall(run, outcome), open_ledger(run), foot_in_the_ground(run),
                            waits_for_nothing(run),   broken_mode(run), broken_contact(run, outcome)};
-    for (size_t i = 0; i < sizeof found / sizeof found[0] && wrong == NULL; ++i) {
+    for (size_t i = 0; i < COUNT_OF(found) && wrong == NULL; ++i) {
         wrong = found[i];
     }
     return wrong;
@@ -324,7 +324,7 @@ static bool begin(uint64_t seed, run *run) {
     }
     tdmf_motion *motion = &run->motion;
     motion->mode.ground = tdmf_ground_line_set(&run->inputs);
-    run->start_energy = outputs_at(SYSTEM_OF(run), &motion->mode, motion->state).energy.total;
+    run->start_energy = OUTPUTS_OF(run).energy.total;
     motion->time = 0.0;
     if (tdmf_start(SYSTEM_OF(run), motion).variable != NULL) {
         return false;

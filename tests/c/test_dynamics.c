@@ -280,12 +280,11 @@ static void compare_with_lagrange(const runner *runner) {
     assert_close(derivatives[TDMF_LEG_ANGLE_RATE] * scales->length, expected[THETA] * scales->length,
                  1e-11 * fmax(largest, fabs(expected[THETA]) * scales->length));
 
-    const tdmf_outputs now = outputs_at(SYSTEM_OF(runner), &runner->motion.mode, runner->motion.state);
-    const double torque =
-        outputs_at(SYSTEM_OF(runner), &runner->motion.mode, runner->motion.state).hip.torque;
+    const tdmf_outputs now = OUTPUTS_OF(runner);
+    const double torque = OUTPUTS_OF(runner).hip.torque;
     const double largest_force = largest_of(&expected[FX], 2, scales->force);
     const tdmf_ground_line *ground = &runner->motion.mode.ground;
-    const tdmf_outputs outputs = outputs_of(SYSTEM_OF(runner), &runner->motion);
+    const tdmf_outputs outputs = OUTPUTS_OF(runner);
     assert_close(outputs.contact.fx, expected[FX], 1e-11 * largest_force);
     assert_close(outputs.contact.fy, expected[FY], 1e-11 * largest_force);
     assert_close(now.contact.tangential, ground->cosine * expected[FX] + ground->sine * expected[FY],
@@ -352,16 +351,12 @@ TEST(constrained_accelerations_are_exactly_zero) {
 
 /* ---- robustness ------------------------------------------------------------------------------------- */
 
-static void assert_all_finite(const runner *runner) {
+static void assert_finite_at(const runner *runner) {
     double derivatives[TDMF_STATE_COUNT], guards[TDMF_GUARD_COUNT];
     tdmf_derivatives(SYSTEM_OF(runner), &runner->motion.mode, runner->motion.state, derivatives);
-    for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
-        assert_true(isfinite(derivatives[i]));
-    }
+    assert_all_finite(derivatives, TDMF_STATE_COUNT);
     tdmf_guards(SYSTEM_OF(runner), &runner->motion.mode, runner->motion.state, guards);
-    for (int i = 0; i < TDMF_GUARD_COUNT; ++i) {
-        assert_true(isfinite(guards[i]));
-    }
+    assert_all_finite(guards, TDMF_GUARD_COUNT);
 }
 
 /* Solvers probe beyond events, where a leg has any length, angle and speed. */
@@ -377,7 +372,7 @@ TEST(trial_states_give_finite_results) {
             runner.motion.state[TDMF_LEG_ANGLE] = angles[i / 8 % 6];
             runner.motion.state[TDMF_LEG_LENGTH_RATE] = rates[i / 48];
             runner.motion.state[TDMF_LEG_ANGLE_RATE] = -rates[i / 48];
-            assert_all_finite(&runner);
+            assert_finite_at(&runner);
         }
     }
 }
@@ -389,9 +384,7 @@ TEST(fallen_run_is_frozen) {
         double derivatives[TDMF_STATE_COUNT];
         runner.motion.mode.fallen = true;
         tdmf_derivatives(SYSTEM_OF(&runner), &runner.motion.mode, runner.motion.state, derivatives);
-        for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
-            assert_true(derivatives[i] == 0.0);
-        }
+        assert_all_are(derivatives, TDMF_STATE_COUNT, 0.0);
     }
 }
 
@@ -402,8 +395,7 @@ TEST(clamp_stays_as_located) {
         runner runner = scene_in_flight(TDMF_PHASE_RETRACT, 0.1);
         runner.motion.mode.clamp_closed = closed == 1;
         runner.motion.state[TDMF_LEG_ANGLE_RATE] = closed ? -1e-11 : 1e-11;
-        const double torque =
-            outputs_at(SYSTEM_OF(&runner), &runner.motion.mode, runner.motion.state).hip.torque;
+        const double torque = OUTPUTS_OF(&runner).hip.torque;
         assert_close(torque, closed ? 0.0 : -1e-12, closed ? 0.0 : 1e-16);
     }
 }

@@ -9,7 +9,7 @@
 #include <math.h>
 
 static double energy_in(const simulation *run) {
-    const tdmf_outputs now = outputs_at(SYSTEM_OF(run), &run->motion.mode, run->motion.state);
+    const tdmf_outputs now = OUTPUTS_OF(run);
     return now.energy.kinetic + fabs(now.energy.potential) + now.energy.elastic;
 }
 

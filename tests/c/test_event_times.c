@@ -106,9 +106,7 @@ static int assert_events_but_clamps(const simulation *run, const proved_event *e
 }
 
 static void assert_apex(const double actual[TDMF_SECTION_COUNT], const extended_stride *expected) {
-    for (int i = 0; i < expected->apex_count; ++i) {
-        assert_close(actual[i], expected->apex[i], 1e-12 * (1.0 + fabs(expected->apex[i])));
-    }
+    assert_all_close(actual, expected->apex, expected->apex_count, 1e-12, 1e-12);
 }
 
 TEST(strides_under_any_gravity_have_the_events_of_extended_precision) {
@@ -135,9 +133,7 @@ TEST(a_stride_under_the_weakest_gravity_is_that_of_the_other_solver) {
     static const double apex[TDMF_SECTION_COUNT] = {1.3, 0.1, 1.0, 1.0, 0.0, 0.0};
     tdmf_parameters parameters = tdmf_default_parameters();
     simulation native, other;
-    if (!tdmf_cvode_is_available()) {
-        skip();
-    }
+    skip_without_cvode();
     parameters.gravity = 1e-4;
     parameters.hip.swing_clamp = true;
     start(&native, &parameters, 0.6, tightest, apex);
@@ -153,9 +149,7 @@ TEST(a_stride_under_the_weakest_gravity_is_that_of_the_other_solver) {
 
 /* Its own steps err by more than any margin makes. Where it finds the apex its root search tells. */
 TEST(cvode_finds_the_apex_where_the_center_of_mass_stops_rising) {
-    if (!tdmf_cvode_is_available()) {
-        skip();
-    }
+    skip_without_cvode();
     for (int i = 0; i < PROVED_GAITS; ++i) {
         const proved_gait *gait = &proved_gaits[i];
         simulation run;

@@ -33,7 +33,7 @@ static const reference_impact reference_impacts[] = {
     {0.2, 0.2, 1.0, 1.5, 0.02, 0.0, 0.20810899949367467},
     {1.0, 0.12, 0.3, 2.0, 0.001, 0.964, 0.036693147180559944},
 };
-enum { IMPACTS = sizeof reference_impacts / sizeof *reference_impacts };
+enum { IMPACTS = COUNT_OF(reference_impacts) };
 
 /* A foot about to hit the ground under that law, at a speed along it. */
 static runner falling_foot(const reference_impact *law, double speed) {
@@ -73,11 +73,9 @@ TEST(an_impact_loses_what_the_foot_does) {
     for (int i = 0; i < IMPACTS; ++i) {
         const reference_impact *law = &reference_impacts[i];
         runner runner = falling_foot(law, law->speed_before);
-        const double before =
-            outputs_at(SYSTEM_OF(&runner), &runner.motion.mode, runner.motion.state).energy.total;
+        const double before = OUTPUTS_OF(&runner).energy.total;
         const double loss = impact_on(SYSTEM_OF(&runner), &runner.motion.mode.ground, runner.motion.state);
-        const double after =
-            outputs_at(SYSTEM_OF(&runner), &runner.motion.mode, runner.motion.state).energy.total;
+        const double after = OUTPUTS_OF(&runner).energy.total;
         assert_true(loss > 0.0);
         assert_close(before - after, loss, 1e-14);
     }
@@ -138,7 +136,7 @@ static const ramped_run ramped_runs[] = {{0.6, -0.01, 0.1, 0.0, 0.0},     {0.2, 
                                          {0.3, -0.01, 1e-3, 0.0, 0.0},    {0.6, -0.01, 0.1, 1.0, 30.0},
                                          {0.2, 0.005, 0.02, 10.0, 40.0},  {0.05, -0.005, 0.1, 0.0, 0.0},
                                          {0.4, -0.005, 10.0, -1.0, 25.0}, {0.4, 0.03, 1e-3, -10.0, 100.0}};
-enum { RAMPED_RUNS = sizeof ramped_runs / sizeof *ramped_runs };
+enum { RAMPED_RUNS = COUNT_OF(ramped_runs) };
 
 static int slips_of(const tdmf_event_log *log) {
     int slips = 0;

@@ -81,7 +81,7 @@ TEST(rates_are_numbers_of_inputs_and_set_in_their_states) {
 /* Ramps so steep that the input leaves its range in the step, and would overflow. */
 TEST(rates_beyond_reason_end_in_a_message) {
     static const double rates[] = {1e7, 1e150, 1e200, 1e300};
-    for (size_t i = 0; i < sizeof rates / sizeof rates[0]; ++i) {
+    for (size_t i = 0; i < COUNT_OF(rates); ++i) {
         fmi2Component component = running_slave();
         assert_int_equal(set_rate(component, "ground.friction", 1, rates[i]), fmi2OK);
         assert_int_equal(fmi2DoStep(component, 0.0, 11.0, fmi2True), fmi2Error);

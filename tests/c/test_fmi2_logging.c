@@ -85,7 +85,7 @@ TEST(categories_are_switched_on_and_off) {
                  {true, false, fmi2False, 1, errors_category, false, false, false},
                  {true, true, fmi2False, 1, events_category, true, true, false}};
     fmi2Component component = NULL;
-    for (size_t i = 0; i < sizeof calls / sizeof calls[0]; ++i) {
+    for (size_t i = 0; i < COUNT_OF(calls); ++i) {
         if (calls[i].begins) {
             component = logging_instance(calls[i].logging);
             initialize(component);
@@ -203,7 +203,7 @@ TEST(logging_changes_no_bit_of_a_run) {
         fmi2Component silent = stepped(fmi2False, method, ten_strides);
         fmi2Component talking = stepped(fmi2True, method, ten_strides);
         assert_int_equal(message_count, EVENTS_OF_TEN_STRIDES);
-        for (size_t i = 0; i < sizeof names / sizeof names[0]; ++i) {
+        for (size_t i = 0; i < COUNT_OF(names); ++i) {
             assert_true(get_real(silent, names[i]) == get_real(talking, names[i]));
             ++compared;
         }
@@ -288,7 +288,7 @@ TEST(every_guard_gives_its_event_its_name) {
         {"body_down", "leg.angle", 2.0, 0.0, 0.0, 0.0},
         {"leg_too_short", "leg.length", 0.01, 0.0, 0.0, 0.0},
     };
-    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
+    for (size_t i = 0; i < COUNT_OF(cases); ++i) {
         fmi2Component component = new_instance();
         assert_int_equal(fmi2SetDebugLogging(component, fmi2True, 1, events_category), fmi2OK);
         assert_int_equal(set_real(component, "ground.friction", 10.0), fmi2OK); /* the foot at rest sticks */

@@ -196,7 +196,7 @@ static int compare_column(fmi2Component component, const start *start, fmi2Value
 
 TEST(they_are_those_of_the_start_values) {
     assert_true(fmu_variable_count <= MAX_VARIABLES);
-    for (size_t k = 0; k < sizeof starts / sizeof starts[0]; ++k) {
+    for (size_t k = 0; k < COUNT_OF(starts); ++k) {
         fmi2Component component = begun(&starts[k], 0.0);
         int columns = 0, nonzero = 0, edges = 0;
         for (size_t j = 0; j < fmu_variable_count; ++j) {
@@ -223,7 +223,7 @@ static double by_time(fmi2Component component, size_t i) {
 /* Values in a run depend on time only through the states. */
 TEST(by_time_they_are_those_of_the_instants) {
     const double seconds[] = {-1.0, 3.0};
-    for (size_t k = 0; k < sizeof starts / sizeof starts[0]; ++k) {
+    for (size_t k = 0; k < COUNT_OF(starts); ++k) {
         double values[2][MAX_VARIABLES];
         int nonzero = 0;
         for (int run = 0; run < 2; ++run) {
@@ -290,7 +290,7 @@ static void assert_same_both_ways_round(fmi2Component old, fmi3Instance instance
 }
 
 TEST(fmi3_gives_the_same_both_ways_round) {
-    for (size_t k = 0; k < sizeof starts / sizeof starts[0]; ++k) {
+    for (size_t k = 0; k < COUNT_OF(starts); ++k) {
         fmi2Component old = begun(&starts[k], 0.0);
         fmi3Instance instance = new_exchange();
         set_start_values(&fmi3, instance, &starts[k]);

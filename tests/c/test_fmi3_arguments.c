@@ -61,9 +61,7 @@ TEST(derivatives_want_as_many_seeds_and_values_as_there_are) {
         assert_miscounted(
             fmi3GetAdjointDerivative(instance, unknowns, 2, knowns, 3, seeds, 2, values, three));
     }
-    for (int i = 0; i < 4; ++i) {
-        assert_true(values[i] == 77.0);
-    }
+    assert_all_are(values, 4, 77.0);
     assert_int_equal(fmi3GetDirectionalDerivative(instance, unknowns, 2, knowns, 3, seeds, 3, values, 2),
                      fmi3OK);
     assert_true(values[1] != 77.0 && values[2] == 77.0);

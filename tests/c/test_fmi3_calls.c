@@ -95,7 +95,7 @@ TEST(every_variable_is_read_by_its_own_type_only) {
                                     fmi3GetString(instance, &reference, 1, &text, 1)};
         static const fmu_variable_type types[] = {VARIABLE_REAL, VARIABLE_INTEGER, VARIABLE_ENUMERATION,
                                                   VARIABLE_BOOLEAN, VARIABLE_STRING};
-        for (size_t j = 0; j < sizeof types / sizeof types[0]; ++j) {
+        for (size_t j = 0; j < COUNT_OF(types); ++j) {
             assert_int_equal(found[j], types[j] == type ? fmi3OK : fmi3Error);
         }
     }
@@ -106,7 +106,7 @@ TEST(enumerations_are_set_in_range_only) {
     const fmi3ValueReference method = reference_of("solver.method");
     static const fmi3Int64 bad[] = {INT64_MAX, INT64_MIN, (INT64_C(1) << 32) + 2};
     fmi3Instance instance = new_exchange();
-    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; ++i) {
+    for (size_t i = 0; i < COUNT_OF(bad); ++i) {
         assert_int_equal(fmi3SetInt64(instance, &method, 1, &bad[i], 1), fmi3Discard);
         assert_int_equal(get_int(instance, "solver.method"), 1);
     }

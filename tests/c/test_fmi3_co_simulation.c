@@ -115,7 +115,7 @@ TEST(without_event_mode_it_is_the_fmi2_unit) {
 
 TEST(stopping_at_every_event_changes_nothing) {
     static const double steps[] = {0.05, 1.0, 251.0};
-    for (size_t i = 0; i < sizeof steps / sizeof steps[0]; ++i) {
+    for (size_t i = 0; i < COUNT_OF(steps); ++i) {
         fmi3Instance plain = plain_stepper(false), eventful = eventful_stepper();
         const long count = lround(ten_strides / steps[i]);
         for (long j = 0; j < count; ++j) {
@@ -136,12 +136,12 @@ TEST(strides_stopped_at_events_do_not_depend_on_the_start_time) {
     static const double starts[] = {1.7e9, 1e13};
     static const char *const quantities[] = {"stride.period", "stride.length", "stride.stance_time",
                                              "stride.duty_factor", "stride.work"};
-    for (size_t i = 0; i < sizeof starts / sizeof starts[0]; ++i) {
+    for (size_t i = 0; i < COUNT_OF(starts); ++i) {
         fmi3Instance at_zero = eventful_stepper(), later = started(new_stepper(true, true), starts[i]);
         const int events = run_by_events(at_zero, 0.0, ten_strides, 0.5);
         assert_int_equal(run_by_events(later, starts[i], starts[i] + ten_strides, 0.5), events);
         assert_int_equal(get_int(later, "stride.word_code"), get_int(at_zero, "stride.word_code"));
-        for (size_t k = 0; k < sizeof quantities / sizeof quantities[0]; ++k) {
+        for (size_t k = 0; k < COUNT_OF(quantities); ++k) {
             assert_relatively_close(get_float(later, quantities[k]), get_float(at_zero, quantities[k]), 1e-9);
         }
     }
@@ -231,7 +231,7 @@ TEST(inputs_jump_in_event_mode) {
  * with the new friction. */
 TEST(inputs_set_at_an_event_act_on_it) {
     static const double frictions[] = {0.0, 0.3, 0.6, 1.0, 10.0};
-    for (size_t i = 0; i < sizeof frictions / sizeof frictions[0]; ++i) {
+    for (size_t i = 0; i < COUNT_OF(frictions); ++i) {
         fmi3Instance instance = eventful_stepper();
         const double time = step_from(instance, 0.0, 20.0).time;
         const double vx = get_float(instance, "foot.vx"), vy = get_float(instance, "foot.vy");
@@ -251,7 +251,7 @@ TEST(inputs_set_at_an_event_act_on_it) {
  * time of a second search would be a rounding error later for a heavy runner. */
 TEST(an_apex_taken_anew_has_the_time_of_its_event) {
     static const double starts[] = {0.0, 1.0, 1e3};
-    for (size_t i = 0; i < sizeof starts / sizeof starts[0]; ++i) {
+    for (size_t i = 0; i < COUNT_OF(starts); ++i) {
         fmi3Instance instance = new_stepper(true, true);
         set_values(&fmi3, instance, "gravity=10.0 foot.vy=5.0");
         const step_answer step = step_from(started(instance, starts[i]), starts[i], 30.0);

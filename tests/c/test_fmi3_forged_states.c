@@ -107,7 +107,7 @@ static void forge_everywhere(fmi_kind kind, long *refused, long *accepted) {
     serialized good, bad;
     fmi3Instance instance = new_on_its_way(kind);
     serialize(instance, &good);
-    for (size_t f = 0; f < sizeof forgeries / sizeof forgeries[0]; ++f) {
+    for (size_t f = 0; f < COUNT_OF(forgeries); ++f) {
         /* A share of the places, others with each forgery. */
         for (size_t offset = FORGE_CONTENT + f % TDMF_SAMPLE_DIVISOR; offset + forgeries[f].size <= good.size;
              offset += TDMF_SAMPLE_DIVISOR) {
@@ -242,7 +242,7 @@ TEST(a_number_that_cannot_be_is_refused_wherever_it_stands) {
                  {"event.last_time", STEPS, 0.0, 57.0, 1, "event.last_time"},
                  {"apex.time", STEPS, 0.0, 57.0, 1, "apex.time"},
                  {"time", STEPS_WITH_EVENTS, 1.0, 1.0, 3, "refused"}};
-    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
+    for (size_t i = 0; i < COUNT_OF(cases); ++i) {
         step_answer step;
         fmi3Instance instance = new_that_logs(cases[i].kind);
         assert_int_equal(set_float(instance, "ground.slope", -1e-3), fmi3OK);

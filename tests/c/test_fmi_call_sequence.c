@@ -270,7 +270,7 @@ FMI_TEST(follows_the_call_sequence_and_stays_as_it_was_where_that_is_broken) {
     reference = reference_of("foot.x");
     unknown = reference_of("body.y");
     known = reference_of("leg.angle");
-    for (size_t i = 0; i < sizeof calls / sizeof calls[0]; ++i) {
+    for (size_t i = 0; i < COUNT_OF(calls); ++i) {
         for (unsigned situation = 1; situation < EVERYWHERE; situation <<= 1) {
             if (fmi != &fmi2 || (situation & OF_FMI3_ALONE) == 0) {
                 refused += check(fmi, i, situation);

@@ -33,7 +33,7 @@ static void run(const fmi_interface *fmi, void *instance, double from, double to
 
 FMI_TEST(steps_arrive_and_the_grid_does_not_matter) {
     static const double steps[] = {0.01, 0.1, 1.255, 25.1, 251.0};
-    for (size_t i = 0; i < sizeof steps / sizeof steps[0]; ++i) {
+    for (size_t i = 0; i < COUNT_OF(steps); ++i) {
         void *instance = new_of_kind(fmi, STEPS);
         initialize_unit(fmi, instance);
         run(fmi, instance, 0.0, 251.0, steps[i]);
@@ -159,7 +159,7 @@ FMI_TEST(a_step_begins_where_the_last_one_ended_and_is_a_number_within_the_stop_
         {0.0, INFINITY, {{0.0, 0.0, "positive"}, {0.0, -1.0, "positive"}, {0.0, 1.0, NULL}}},
         {0.0, INFINITY, {{0.0, NAN, "positive"}, {0.0, INFINITY, "positive"}, {0.0, 1.0, NULL}}},
     };
-    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
+    for (size_t i = 0; i < COUNT_OF(cases); ++i) {
         const double stop = cases[i].stop;
         const fmi_experiment given = {.start = cases[i].start, .has_stop = isfinite(stop), .stop = stop};
         void *instance = new_of_kind(fmi, STEPS);
@@ -198,10 +198,10 @@ static void run_from(const fmi_interface *fmi, double start, double step, double
 FMI_TEST(strides_do_not_depend_on_the_start_time) {
     static const double starts[] = {1.7e9, 1e13};
     static const double steps[] = {0.1, 0.25, 7.0};
-    for (size_t i = 0; i < sizeof steps / sizeof steps[0]; ++i) {
+    for (size_t i = 0; i < COUNT_OF(steps); ++i) {
         double expected[COMPARED], actual[COMPARED];
         run_from(fmi, 0.0, steps[i], expected);
-        for (size_t k = 0; k < sizeof starts / sizeof starts[0]; ++k) {
+        for (size_t k = 0; k < COUNT_OF(starts); ++k) {
             run_from(fmi, starts[k], steps[i], actual);
             for (int q = 0; q < COMPARED; ++q) {
                 assert_relatively_close(actual[q], expected[q], 1e-9);
@@ -276,7 +276,7 @@ FMI_TEST(bad_inputs_in_mid_run_are_discarded) {
     static const double bad[] = {NAN, -0.1, INFINITY};
     initialize_unit(fmi, instance);
     run(fmi, instance, 0.0, 12.0, 12.0);
-    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; ++i) {
+    for (size_t i = 0; i < COUNT_OF(bad); ++i) {
         assert_int_equal(set_value(fmi, instance, "ground.friction", bad[i]), FMI_DISCARD);
         assert_true(value_of(fmi, instance, "ground.friction") == 0.6);
     }
@@ -291,7 +291,7 @@ FMI_TEST(output_derivatives_are_slopes) {
     static const double delta = 1e-5;
     initialize_unit(fmi, instance);
     run(fmi, instance, 0.0, 12.0, 12.0);
-    for (size_t i = 0; i < sizeof names / sizeof names[0]; ++i) {
+    for (size_t i = 0; i < COUNT_OF(names); ++i) {
         double slope = 0.0;
         const double time = value_of(fmi, instance, "time");
         const double before = value_of(fmi, instance, names[i]);

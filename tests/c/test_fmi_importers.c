@@ -108,13 +108,11 @@ FMI_TEST(trial_states_go_beyond_the_range_of_starts) {
     void *instance = new_of_kind(fmi, EXCHANGE);
     begin(fmi, instance, EXCHANGE);
     const double x = value_of(fmi, instance, "foot.x"), y = value_of(fmi, instance, "foot.y");
-    for (size_t i = 0; i < sizeof trials / sizeof trials[0]; ++i) {
+    for (size_t i = 0; i < COUNT_OF(trials); ++i) {
         assert_int_equal(set_value(fmi, instance, "foot.y", trials[i]), FMI_OK);
         assert_int_equal(set_value(fmi, instance, "leg.length", trials[i]), FMI_OK);
         assert_int_equal(fmi->get_derivatives(instance, derivatives, TDMF_STATE_COUNT), FMI_OK);
-        for (int j = 0; j < TDMF_STATE_COUNT; ++j) {
-            assert_true(isfinite(derivatives[j]));
-        }
+        assert_all_finite(derivatives, TDMF_STATE_COUNT);
     }
     assert_int_equal(set_value(fmi, instance, "foot.y", y), FMI_OK);
     assert_int_equal(set_value(fmi, instance, "foot.y", NAN), FMI_DISCARD);
@@ -144,7 +142,7 @@ TEST(event_mode_takes_states_that_no_event_changes) {
     assert_true(get_float(exchange, "leg.length") == 0.9);
     static const char *const jumping[] = {"foot.y",         "foot.vx",        "foot.vy", "leg.length_rate",
                                           "leg.angle_rate", "hip.place_time", "leg.work"};
-    for (size_t i = 0; i < sizeof jumping / sizeof jumping[0]; ++i) {
+    for (size_t i = 0; i < COUNT_OF(jumping); ++i) {
         assert_true(fmu_variables[reference_of(jumping[i])].changes_at_events);
     }
 }

@@ -47,7 +47,7 @@ FMI_TEST(values_out_of_range_are_discarded_and_the_old_kept) {
                {"hip.external_torque", INFINITY},
                {"hip.external_torque", NAN}};
     void *instance = in_initialization(fmi);
-    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; ++i) {
+    for (size_t i = 0; i < COUNT_OF(bad); ++i) {
         const double before = value_of(fmi, instance, bad[i].name);
         clear_messages();
         assert_int_equal(set_value(fmi, instance, bad[i].name, bad[i].value), FMI_DISCARD);
@@ -63,7 +63,7 @@ FMI_TEST(values_out_of_range_are_discarded_and_the_old_kept) {
 FMI_TEST(enumerations_and_booleans_are_set_in_range_only) {
     static const int bad[] = {0, 3, INT32_MAX, INT32_MIN};
     void *instance = in_initialization(fmi);
-    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; ++i) {
+    for (size_t i = 0; i < COUNT_OF(bad); ++i) {
         assert_int_equal(fmi->set_item(instance, reference_of("solver.method"), bad[i]), FMI_DISCARD);
         assert_int_equal(integer_of(fmi, instance, "solver.method"), SOLVER_NATIVE);
     }
@@ -111,7 +111,7 @@ FMI_TEST(refuses_bad_experiments) {
                                          {true, 1e-6, 2.0, true, 1.0},    {true, 1e-6, 0.0, true, NAN},
                                          {true, INFINITY, 0.0, true, 1.0}};
     void *instance = new_of_kind(fmi, EXCHANGE);
-    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; ++i) {
+    for (size_t i = 0; i < COUNT_OF(bad); ++i) {
         assert_int_equal(fmi->enter_initialization(instance, &bad[i]), FMI_ERROR);
     }
     assert_int_equal(fmi->enter_initialization(instance, &from_zero), FMI_OK);
@@ -142,7 +142,7 @@ FMI_TEST(starts_at_any_time) {
 
 FMI_TEST(trial_states_give_finite_answers) {
     static const double wild[] = {0.0, -1.0, 1e-300, -DBL_MAX, DBL_MAX, INFINITY, -INFINITY};
-    const int wild_count = (int)(sizeof wild / sizeof wild[0]);
+    const int wild_count = (int)(COUNT_OF(wild));
     void *instance = in_continuous_time_mode(fmi);
     for (int element = 0; element < TDMF_STATE_COUNT * wild_count; ++element) {
         double states[TDMF_STATE_COUNT], derivatives[TDMF_STATE_COUNT], indicators[TDMF_GUARD_COUNT];
@@ -153,12 +153,8 @@ FMI_TEST(trial_states_give_finite_answers) {
         assert_int_equal(fmi->set_states(instance, states, TDMF_STATE_COUNT), FMI_OK);
         assert_int_equal(fmi->get_derivatives(instance, derivatives, TDMF_STATE_COUNT), FMI_OK);
         assert_int_equal(fmi->get_indicators(instance, indicators, TDMF_GUARD_COUNT), FMI_OK);
-        for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
-            assert_true(isfinite(derivatives[i]));
-        }
-        for (int i = 0; i < TDMF_GUARD_COUNT; ++i) {
-            assert_true(isfinite(indicators[i]));
-        }
+        assert_all_finite(derivatives, TDMF_STATE_COUNT);
+        assert_all_finite(indicators, TDMF_GUARD_COUNT);
     }
 }
 
@@ -219,9 +215,7 @@ FMI_TEST(a_fall_freezes_and_asks_to_stop_where_the_parameter_says_so) {
         assert_int_equal(answer.terminate, stops);
         assert_int_equal(fmi->enter_continuous_time_mode(instance), FMI_OK);
         assert_int_equal(fmi->get_derivatives(instance, derivatives, TDMF_STATE_COUNT), FMI_OK);
-        for (int j = 0; j < TDMF_STATE_COUNT; ++j) {
-            assert_true(derivatives[j] == 0.0);
-        }
+        assert_all_are(derivatives, TDMF_STATE_COUNT, 0.0);
         assert_true(value_of(fmi, instance, "leg.length") == 0.01);
     }
 }

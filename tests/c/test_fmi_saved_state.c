@@ -44,11 +44,11 @@ static void assert_same(const fmi_interface *fmi, void *a, void *b) {
     const size_t size = save_bytes(fmi, a, bytes_of_a);
     assert_int_equal(save_bytes(fmi, b, bytes_of_b), size);
     assert_memory_equal(bytes_of_a, bytes_of_b, size);
-    for (size_t i = 0; i < sizeof names / sizeof names[0]; ++i) {
+    for (size_t i = 0; i < COUNT_OF(names); ++i) {
         const double of_a = value_of(fmi, a, names[i]), of_b = value_of(fmi, b, names[i]);
         assert_memory_equal(&of_a, &of_b, sizeof of_a);
     }
-    for (size_t i = 0; i < sizeof counts / sizeof counts[0]; ++i) {
+    for (size_t i = 0; i < COUNT_OF(counts); ++i) {
         assert_int_equal(integer_of(fmi, a, counts[i]), integer_of(fmi, b, counts[i]));
     }
 }
@@ -389,7 +389,7 @@ FMI_TEST(a_state_goes_on_in_the_other_version) {
         assert_changed(other_version, other);
         go_on(fmi, instance, kind, 20.0);
         go_on(other_version, other, kind, 20.0);
-        for (size_t i = 0; i < sizeof names / sizeof names[0]; ++i) {
+        for (size_t i = 0; i < COUNT_OF(names); ++i) {
             assert_true(value_of(fmi, instance, names[i]) == value_of(other_version, other, names[i]));
         }
     }

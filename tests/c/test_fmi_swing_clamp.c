@@ -112,7 +112,7 @@ FMI_TEST(without_it_derivatives_are_those_of_the_servo) {
     const uint32_t torque = reference_of("hip.torque");
     for (int clamp = 0; clamp < 2; ++clamp) {
         void *instance = new_rising(fmi, EXCHANGE, clamp == 1);
-        for (size_t i = 0; i < sizeof columns / sizeof columns[0]; ++i) {
+        for (size_t i = 0; i < COUNT_OF(columns); ++i) {
             const uint32_t known = reference_of(columns[i].known);
             const bool outside = strcmp(columns[i].known, "hip.external_torque") == 0;
             const double one = 1.0;

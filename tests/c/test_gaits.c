@@ -70,9 +70,7 @@ TEST(the_native_solver_comes_back_to_the_apex) {
 /* A hundredth past the apex, in which neither a loss nor the angle of lift-off changes any more but for the
  * damper's, whose leg is at rest by then. */
 TEST(cvode_comes_back_to_the_apex) {
-    if (!tdmf_cvode_is_available()) {
-        skip();
-    }
+    skip_without_cvode();
     for (int i = 0; i < GAITS; ++i) {
         simulation run = begin(i, 1e-12);
         assert_int_equal(simulation_advance_by(tdmf_cvode_advance, &run, gait_at(i)->period + 0.01),

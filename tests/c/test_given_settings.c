@@ -49,9 +49,8 @@ TEST(strides_are_made_with_the_rows_that_are_theirs) {
                 const tdmf_return made = return_map(&solver, (tdmf_system){&model, &crowd->cases[0].inputs},
                                                     apex, 1e4, false, NULL, 0);
                 assert_true(made.outcome == TDMF_RETURN_CLOSED);
-                for (int j = 0; j < TDMF_SECTION_COUNT; ++j) {
-                    assert_close(crowd->strides[i * STRIDES + stride].apex[j], made.apex[j], 1e-8);
-                }
+                assert_all_close(crowd->strides[i * STRIDES + stride].apex, made.apex, TDMF_SECTION_COUNT,
+                                 1e-8, 0.0);
                 memcpy(apex, made.apex, sizeof apex);
             }
         }

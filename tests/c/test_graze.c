@@ -60,9 +60,7 @@ TEST(a_leg_that_passes_upright_in_graze_ends_its_drive) {
 }
 
 TEST(cvode_passes_upright_in_graze) {
-    if (!tdmf_cvode_is_available()) {
-        skip();
-    }
+    skip_without_cvode();
     const tdmf_event_log log = events_until(tdmf_cvode_advance, 0.3);
     assert_slips_after_mid_stance(&log);
 }

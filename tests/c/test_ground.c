@@ -49,7 +49,7 @@ static void set_line(simulation *run, double height, double slope) {
 }
 
 static bool waits(const simulation *run) {
-    const tdmf_outputs outputs = outputs_of(SYSTEM_OF(run), &run->motion);
+    const tdmf_outputs outputs = OUTPUTS_OF(run);
     return outputs.ground.pending;
 }
 
@@ -182,9 +182,7 @@ TEST(a_step_set_at_an_apex_shifts_its_height_by_its_own_and_no_more) {
     const tdmf_return next = return_map(&lower.solver, SYSTEM_OF(&lower), section, 1e9, false, NULL, 0);
     double reached[TDMF_SECTION_COUNT];
     read_apex(&stepped.motion.record, reached);
-    for (int i = 0; i < TDMF_SECTION_COUNT; ++i) {
-        assert_close(reached[i], next.apex[i], 1e-11);
-    }
+    assert_all_close(reached, next.apex, TDMF_SECTION_COUNT, 1e-11, 0.0);
     assert_close(stepped.motion.record.stride.rise,
                  next.apex[0] + step - reference_gaits[DEFAULT_GAIT].apex.com_height, 1e-11);
 }
@@ -197,7 +195,7 @@ TEST(a_new_line_is_in_force_below_the_foot) {
         bool in_force;
     } cases[] = {{-beside, 1.0, false}, {-beside, 0.0, false}, {-beside, -1.0, false}, {beside, -1.0, false},
                  {beside, 1.0, false},  {apart, -1.0, true},   {-apart, 1.0, false}};
-    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
+    for (size_t i = 0; i < COUNT_OF(cases); ++i) {
         runner runner = scene_in_flight(TDMF_PHASE_PLACE, -0.1);
         runner.motion.state[TDMF_FOOT_VY] = 0.01 * cases[i].rate;
         runner.inputs.ground.height = runner.motion.state[TDMF_FOOT_Y] - cases[i].height;
@@ -252,7 +250,7 @@ TEST(a_start_below_the_ground_is_refused) {
 /* ---- impact -------------------------------------------------------------------------------------------- */
 
 static double kinetic_energy(const runner *runner) {
-    return outputs_at(SYSTEM_OF(runner), &runner->motion.mode, runner->motion.state).energy.kinetic;
+    return OUTPUTS_OF(runner).energy.kinetic;
 }
 
 TEST(at_no_impact_on_any_slope_does_kinetic_energy_rise) {
@@ -369,9 +367,7 @@ static void assert_is_sound(const simulation *run) {
     const double *state = run->motion.state;
     const tdmf_point foot = tdmf_foot_over_ground(&run->motion.mode.ground, state);
     double turnover = fabs(run->start_energy);
-    for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
-        assert_true(isfinite(state[i]));
-    }
+    assert_all_finite(state, TDMF_STATE_COUNT);
     assert_true(foot.y >= -1e-9);
     if (run->motion.mode.contact != TDMF_CONTACT_FLIGHT) {
         assert_close(foot.y, 0.0, 1e-12);
@@ -386,7 +382,7 @@ TEST(a_runner_on_a_slope_far_up_or_down_runs_on) {
     static const double heights[] = {9e10, -9e10, 3e9, -3e9, 1e8, -1e8, 7e4};
     static const double length = 1e-3, slope = 5e-3;
     enum { STRIDES = 50 };
-    for (size_t i = 0; i < sizeof heights / sizeof heights[0]; ++i) {
+    for (size_t i = 0; i < COUNT_OF(heights); ++i) {
         simulation near = run_of_length(length, 0.0, slope);
         simulation far = run_of_length(length, heights[i] * length, slope);
         const double rounding = DBL_EPSILON * fabs(heights[i]) * far.model.scales.speed;

@@ -23,7 +23,7 @@ static double impact(runner *runner, double friction) {
 }
 
 static double total_energy(const runner *runner) {
-    return outputs_at(SYSTEM_OF(runner), &runner->motion.mode, runner->motion.state).energy.total;
+    return OUTPUTS_OF(runner).energy.total;
 }
 
 static double vx_after(double vx, double vy, double friction) {
@@ -36,7 +36,7 @@ static double vx_after(double vx, double vy, double friction) {
 
 /* Sum of the sizes of the energy's parts, which may cancel on low ground. */
 static double size_of_energy(const runner *runner) {
-    const tdmf_outputs now = outputs_at(SYSTEM_OF(runner), &runner->motion.mode, runner->motion.state);
+    const tdmf_outputs now = OUTPUTS_OF(runner);
     return now.energy.kinetic + fabs(now.energy.potential) + now.energy.elastic;
 }
 

@@ -13,7 +13,7 @@
 #include <string.h>
 
 static const double frictions[] = {1e3, 3e3, 1e4, 1e5, 3e5, 1e6};
-enum { FRICTIONS = sizeof frictions / sizeof *frictions, STRIDES = sample_of(300), STEPS_OF_A_STRIDE = 500 };
+enum { FRICTIONS = COUNT_OF(frictions), STRIDES = sample_of(300), STEPS_OF_A_STRIDE = 500 };
 
 static simulation started(double friction) {
     const runner runner = runner_default(friction);
@@ -27,7 +27,7 @@ TEST(the_cones_guard_rounds_like_the_forces) {
         for (double angle = -1.0; angle < 1.1; angle += 0.25) {
             runner runner = scene_on_ground(TDMF_CONTACT_STICK, angle, 1e-9);
             runner.inputs.ground.friction = frictions[i];
-            const tdmf_outputs now = outputs_of(SYSTEM_OF(&runner), &runner.motion);
+            const tdmf_outputs now = OUTPUTS_OF(&runner);
             const long double edge = fabsl((long double)now.contact.tangential) / (long double)frictions[i];
             const double value = (double)((long double)now.contact.normal - edge);
             const double positive = scene_guard(&runner, TDMF_GUARD_SLIP_ONSET_POSITIVE);
@@ -65,9 +65,7 @@ TEST(the_two_solvers_agree) {
         assert_int_equal(simulation_advance_by(tdmf_cvode_advance, &cvode, 110.0), TDMF_ARRIVED);
         assert_int_equal(native.motion.record.event_count, cvode.motion.record.event_count);
         assert_int_equal(native.motion.record.stride.count, 4);
-        for (int k = 0; k < TDMF_MECHANICAL_COUNT; ++k) {
-            assert_close(native.motion.state[k], cvode.motion.state[k], 1e-6);
-        }
+        assert_all_close(native.motion.state, cvode.motion.state, TDMF_MECHANICAL_COUNT, 1e-6, 0.0);
     }
 }
 

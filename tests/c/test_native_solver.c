@@ -66,9 +66,7 @@ TEST(random_runs_have_the_same_events) {
         assert_int_equal(outcome, runner.motion.mode.fallen ? TDMF_FELL : TDMF_ARRIVED);
         assert_int_equal(motion.record.event_count, runner.motion.record.event_count);
         assert_string_equal(motion.record.stride.word, runner.motion.record.stride.word);
-        for (int k = 0; k < TDMF_MECHANICAL_COUNT; ++k) {
-            assert_close(motion.state[k], runner.motion.state[k], 1e-6);
-        }
+        assert_all_close(motion.state, runner.motion.state, TDMF_MECHANICAL_COUNT, 1e-6, 0.0);
         assert_close(motion.state[TDMF_HIP_POSITIVE_WORK], runner.motion.state[TDMF_HIP_POSITIVE_WORK], 1e-6);
     }
 }
@@ -206,7 +204,7 @@ TEST(a_rising_force_is_met_where_a_call_ends) {
     const runner runner = bouncing_runner();
     simulation run = simulation_of(&runner, 1e-11);
     assert_arrives(&run, 0.2);
-    const tdmf_outputs outputs = outputs_of(SYSTEM_OF(&run), &run.motion);
+    const tdmf_outputs outputs = OUTPUTS_OF(&run);
     assert_true(run.motion.mode.ground_force_rising);
     assert_close(run.motion.record.progress.open.peak_force, outputs.contact.fy, 1e-15);
 }

@@ -26,7 +26,7 @@ static void list_outputs(const tdmf_outputs *o, double values[OUTPUTS]) {
 }
 
 static void values_of(const runner *runner, double values[UNKNOWNS]) {
-    const tdmf_outputs outputs = outputs_of(SYSTEM_OF(runner), &runner->motion);
+    const tdmf_outputs outputs = OUTPUTS_OF(runner);
     tdmf_derivatives(SYSTEM_OF(runner), &runner->motion.mode, runner->motion.state, values);
     list_outputs(&outputs, values + TDMF_STATE_COUNT);
 }

@@ -153,13 +153,11 @@ TEST(runs_of_a_page_are_iterates_of_its_return_map) {
 /* The pages of this library have no motions in lanes, which only the runner needs. */
 TEST(instructions_without_lanes_of_the_page_are_refused) {
     static hoppers h;
-    tdmf_instructions sets[TDMF_INSTRUCTIONS_COUNT];
-    const int count = list_instructions(sets);
-    for (int i = 0; i < count; ++i) {
+    FOR_INSTRUCTIONS(set) {
         prepare(&h);
-        h.ensemble.instructions = sets[i];
+        h.ensemble.instructions = set;
         const tdmf_refusal refusal = tdmf_run_ensemble(&h.ensemble, h.ends, NULL);
-        assert_int_equal(refusal.code == TDMF_ACCEPTED, sets[i] == TDMF_ONE_BY_ONE);
+        assert_int_equal(refusal.code == TDMF_ACCEPTED, set == TDMF_ONE_BY_ONE);
         assert_true(refusal.code == TDMF_ACCEPTED || strcmp(refusal.variable, "instructions") == 0);
     }
 }

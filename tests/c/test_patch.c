@@ -17,9 +17,7 @@ static simulation begin(const patch_run *run) {
 
 static void assert_apex(const double apex[TDMF_SECTION_COUNT], const double expected[TDMF_SECTION_COUNT],
                         double tolerance) {
-    for (int i = 0; i < TDMF_SECTION_COUNT; ++i) {
-        assert_close(apex[i], expected[i], tolerance);
-    }
+    assert_all_close(apex, expected, TDMF_SECTION_COUNT, tolerance, 0.0);
 }
 
 static void assert_section(const simulation *at, const double expected[TDMF_SECTION_COUNT], double foot_x,
@@ -258,9 +256,7 @@ static simulation stand(double begin, double end, double patch_friction, double 
 
 static void assert_same_motion(const simulation *a, const simulation *b, double tolerance) {
     assert_int_equal(a->motion.mode.contact, b->motion.mode.contact);
-    for (int k = 0; k < TDMF_MECHANICAL_COUNT; ++k) {
-        assert_close(a->motion.state[k], b->motion.state[k], tolerance);
-    }
+    assert_all_close(a->motion.state, b->motion.state, TDMF_MECHANICAL_COUNT, tolerance, 0.0);
 }
 
 /* A foot on a border is held by the friction of the side that it is pushed to, as on ground that has no
@@ -328,10 +324,8 @@ TEST(a_foot_that_is_pushed_back_ends_where_it_would_without_the_border) {
             const double border = without.motion.state[TDMF_FOOT_X] + shifts[i];
             const simulation at = slip_to_a_border(-0.5, border, by_cvode);
             assert_int_equal(at.motion.mode.contact, TDMF_CONTACT_STICK);
-            for (int k = 0; k < TDMF_MECHANICAL_COUNT; ++k) {
-                assert_close(at.motion.state[k], without.motion.state[k],
-                             1e-10 + 20.0 * fmax(0.0, -shifts[i]));
-            }
+            assert_all_close(at.motion.state, without.motion.state, TDMF_MECHANICAL_COUNT,
+                             1e-10 + 20.0 * fmax(0.0, -shifts[i]), 0.0);
             ++compared;
         }
     }
@@ -371,7 +365,7 @@ TEST(a_foot_that_is_pushed_on_rests_before_the_border_or_slips_on) {
 /* However far a light foot is thrown, on either side of the patch, it meets no further border. */
 TEST(a_foot_that_slips_far_beyond_a_patch_meets_no_border) {
     static const double places[] = {1e11, -1e11, 3e12, -3e12, 1e15, -1e15};
-    for (size_t i = 0; i < sizeof places / sizeof places[0]; ++i) {
+    for (size_t i = 0; i < COUNT_OF(places); ++i) {
         const double way = places[i] > 0.0 ? 1.0 : -1.0, speed = way * 0.3;
         const double state[TDMF_STATE_COUNT] = {[TDMF_FOOT_Y] = 1e-3,
                                                 [TDMF_FOOT_VX] = speed,

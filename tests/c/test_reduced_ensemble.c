@@ -97,9 +97,7 @@ static void assert_same_end(const tdmf_ensemble_end *a, const tdmf_ensemble_end 
     assert_int_equal(a->fate, b->fate);
     assert_int_equal(a->strides, b->strides);
     assert_int_equal(a->word_code, b->word_code);
-    for (int i = 0; i < TDMF_REDUCED_COUNT; ++i) {
-        assert_close(a->apex[i], b->apex[i], tolerance);
-    }
+    assert_all_close(a->apex, b->apex, TDMF_REDUCED_COUNT, tolerance, 0.0);
     assert_close(a->time, b->time, 1e2 * tolerance);
     assert_close(a->distance, b->distance, 1e2 * tolerance);
     assert_close(a->work, b->work, tolerance);
@@ -111,15 +109,13 @@ static void assert_same_end(const tdmf_ensemble_end *a, const tdmf_ensemble_end 
 
 TEST(runners_end_where_the_map_takes_them) {
     crowd *crowd = reduced_crowd();
-    tdmf_instructions sets[TDMF_INSTRUCTIONS_COUNT];
-    const int count = list_instructions(sets);
     tdmf_ensemble_end expected[RUNNERS];
     for (int i = 0; i < RUNNERS; ++i) {
         expected[i] = iterate(&crowd->cases[i], crowd->starts[i]);
     }
-    for (int set = 0; set < count; ++set) {
+    FOR_INSTRUCTIONS(set) {
         int of_fate[TDMF_FATE_NO_STRIDE + 1] = {0};
-        run_crowd(crowd, sets[set]);
+        run_crowd(crowd, set);
         for (int i = 0; i < RUNNERS; ++i) {
             assert_same_end(&crowd->ends[i], &expected[i]);
             ++of_fate[crowd->ends[i].fate];

@@ -140,9 +140,7 @@ static void assert_differentiated(const apex_scene *scene, int k, double step, d
     for (int i = 0; i < RESULTS; ++i) {
         size = fmax(size, fabs(exact[i]));
     }
-    for (int i = 0; i < RESULTS; ++i) {
-        assert_close(exact[i], differences[i], tolerance * size);
-    }
+    assert_all_close(exact, differences, RESULTS, tolerance * size, 0.0);
 }
 
 /* A torque from outside does work up to lift-off and makes the work of a stance depend on all. */
@@ -303,7 +301,7 @@ TEST(a_stride_that_does_not_close_says_why) {
         /* It comes backwards, so that the leg grows, and its damper pulls at the foot. */
         {{0.6, -2.0}, 1.2, NAN, NAN, 2.0, 50.0, TDMF_RETURN_NO_STANCE},
     };
-    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
+    for (size_t i = 0; i < COUNT_OF(cases); ++i) {
         apex_scene scene = at_gait(&reduced_gaits[2]);
         set_if_given(&scene.apex[0], cases[i].apex[0]);
         set_if_given(&scene.apex[1], cases[i].apex[1]);
@@ -346,7 +344,7 @@ TEST(nan_and_values_out_of_range_are_refused) {
     tdmf_seed seeds[TDMF_REDUCED_MAP_SEEDS + 1];
     tdmf_solver solver = tdmf_solver_default();
     for (int k = 0; k < TDMF_REDUCED_COUNT; ++k) {
-        for (size_t i = 0; i < sizeof bad / sizeof bad[0]; ++i) {
+        for (size_t i = 0; i < COUNT_OF(bad); ++i) {
             apex_scene scene = gait;
             scene.apex[k] = bad[i];
             const tdmf_return_outcome outcome = outcome_from(&scene);
@@ -386,7 +384,7 @@ TEST(a_log_has_the_events_of_a_stride) {
     const apex_scene scene = at_gait(&reduced_gaits[0]); /* 0+ */
     static const int expected[] = {TDMF_GUARD_TOUCHDOWN, TDMF_GUARD_MID_STANCE,
                                    TDMF_GUARD_SLIP_ONSET_POSITIVE, TDMF_GUARD_LIFT_OFF, TDMF_GUARD_APEX};
-    enum { EVENTS = sizeof expected / sizeof expected[0] };
+    enum { EVENTS = COUNT_OF(expected) };
     tdmf_event_log log = {0};
     tdmf_solver solver = tdmf_solver_default();
     solver.log = &log;

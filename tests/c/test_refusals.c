@@ -30,7 +30,7 @@ static const named_value parameter_names[] = {
     PARAMETER(hip.kd),
     PARAMETER(hip.liftoff_angle_factor),
 };
-enum { PARAMETER_NAMES = sizeof parameter_names / sizeof parameter_names[0] };
+enum { PARAMETER_NAMES = COUNT_OF(parameter_names) };
 
 static void set(void *values, const named_value *which, double value) {
     memcpy((char *)values + which->offset, &value, sizeof value);
@@ -86,11 +86,11 @@ TEST(every_parameter_has_a_range) {
 TEST(ranges_exclude_what_makes_no_sense) {
     static const size_t positive[] = {0, 1, 2, 4, 5, 6};
     static const size_t not_negative[] = {3, 9, 10, 11};
-    for (size_t i = 0; i < sizeof positive / sizeof positive[0]; ++i) {
+    for (size_t i = 0; i < COUNT_OF(positive); ++i) {
         assert_refuses_parameter(&parameter_names[positive[i]], 0.0);
         assert_refuses_parameter(&parameter_names[positive[i]], -1.0);
     }
-    for (size_t i = 0; i < sizeof not_negative / sizeof not_negative[0]; ++i) {
+    for (size_t i = 0; i < COUNT_OF(not_negative); ++i) {
         assert_null(create_with(&parameter_names[not_negative[i]], 0.0).variable);
         assert_refuses_parameter(&parameter_names[not_negative[i]], -1e-300);
     }
@@ -297,7 +297,7 @@ static bool use_decimal_comma(void) {
     static const char *const names[] = {"de_DE.UTF-8", "de_DE.utf8",  "de_DE",
                                         "fr_FR.UTF-8", "fr_FR.utf8",  "it_IT.UTF-8",
                                         "es_ES.UTF-8", "ru_RU.UTF-8", "German_Germany"};
-    for (size_t i = 0; i < sizeof names / sizeof names[0]; ++i) {
+    for (size_t i = 0; i < COUNT_OF(names); ++i) {
         if (setlocale(LC_NUMERIC, names[i]) != NULL && strcmp(localeconv()->decimal_point, ",") == 0) {
             return true;
         }

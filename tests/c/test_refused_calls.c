@@ -69,7 +69,7 @@ static tdmf_outcome by_cvode(scene *s) {
 }
 
 static run *const runs[] = {advance, stride, stride_varied, by_cvode};
-enum { RUNS = sizeof runs / sizeof runs[0] };
+enum { RUNS = COUNT_OF(runs) };
 
 static void assert_refused(run *run, scene *scene) {
     const tdmf_motion before = scene->motion;
@@ -131,7 +131,7 @@ TEST(the_automaton_takes_nothing_in_a_mode_that_there_is_not) {
         }
         tdmf_derivatives(SYSTEM_OF(&s), &mode, motion.state, derivatives);
         assert_true(isnan(derivatives[TDMF_LEG_ANGLE_RATE]) && isnan(derivatives[TDMF_LEG_LENGTH_RATE]));
-        assert_true(isnan(outputs_at(SYSTEM_OF(&s), &mode, motion.state).hip.torque));
+        assert_true(isnan(outputs_of(SYSTEM_OF(&s), &motion).hip.torque));
     }
 }
 
@@ -334,7 +334,7 @@ TEST(pages_refuse_null_and_numbers_out_of_range) {
         "page",    "section", "section",      "parameters", "states",     "tolerance",  "tolerance",
         "longest", "longest", "d_parameters", "seed_count", "seed_count", "step_limit", "event_room"};
     assert_null(tdmf_page_check(&sound, point).variable);
-    for (size_t i = 0; i < sizeof refused / sizeof *refused; ++i) {
+    for (size_t i = 0; i < COUNT_OF(refused); ++i) {
         assert_string_equal(tdmf_page_check(&refused[i], point).variable, names[i]);
         assert_int_equal(tdmf_page_stride(&refused[i], point, end, NULL).outcome, TDMF_PAGE_REFUSED);
         assert_false(tdmf_page_fixed_point(&refused[i], point));
@@ -348,7 +348,7 @@ TEST(pages_refuse_null_and_numbers_out_of_range) {
     tdmf_page_scales(NULL, p, x);
     tdmf_page_scales(page, NULL, x);
     const double numbers[] = {NAN, INFINITY, -1.0};
-    for (size_t i = 0; i < sizeof numbers / sizeof *numbers; ++i) {
+    for (size_t i = 0; i < COUNT_OF(numbers); ++i) {
         tdmf_page_defaults(page, p, x);
         p[0] = numbers[i];
         assert_int_equal(tdmf_page_stride(&sound, point, end, NULL).outcome, TDMF_PAGE_REFUSED);
@@ -453,7 +453,7 @@ TEST(ensembles_refuse_counts_without_arrays) {
                    {law_without_gain, "cases[].rules.law.gain"},
                    {law_without_low, "cases[].rules.law.low"},
                    {law_without_high, "cases[].rules.law.high"}};
-    enum { CHANGES = sizeof changes / sizeof changes[0], OF_LAWS = 6 };
+    enum { CHANGES = COUNT_OF(changes), OF_LAWS = 6 };
     population population;
     for (int i = 0; i < CHANGES; ++i) {
         gather(&population, i >= CHANGES - OF_LAWS);

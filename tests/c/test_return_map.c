@@ -93,10 +93,8 @@ TEST(derivatives_are_as_good_as_the_strides) {
         for (int k = 0; k < TDMF_SECTION_COUNT; ++k) {
             size = fmax(size, fabs(exact.variations[TDMF_SECTION_COUNT].apex[k]));
         }
-        for (int k = 0; k < TDMF_SECTION_COUNT; ++k) {
-            assert_close(rough.variations[TDMF_SECTION_COUNT].apex[k],
-                         exact.variations[TDMF_SECTION_COUNT].apex[k], 1e-4 * size);
-        }
+        assert_all_close(rough.variations[TDMF_SECTION_COUNT].apex, exact.variations[TDMF_SECTION_COUNT].apex,
+                         TDMF_SECTION_COUNT, 1e-4 * size, 0.0);
     }
     assert_true(compared > STRIDES * 9 / 10);
 }
@@ -143,9 +141,7 @@ TEST(only_what_asks_is_measured) {
         assert_true(is_zero(&plain.measures, sizeof plain.measures));
         assert_true(is_zero(&plain.variations[0].measures, sizeof plain.variations[0].measures));
         assert_true(measured.measures.squared_torque > 0.0);
-        for (int k = 0; k < TDMF_SECTION_COUNT; ++k) {
-            assert_close(measured.apex[k], plain.apex[k], 1e-12);
-        }
+        assert_all_close(measured.apex, plain.apex, TDMF_SECTION_COUNT, 1e-12, 0.0);
     }
 }
 
@@ -182,9 +178,7 @@ TEST(gaits_are_found_to_rounding) {
         assert_string_equal(orbit.stride.stride.word, gait->word);
         jacobians += assert_reference_jacobian(&orbit.stride, gait);
         assert_relatively_close(orbit.stride.stride.period, gait->period, 1e-11);
-        for (int k = 0; k < TDMF_SECTION_COUNT; ++k) {
-            assert_close(orbit.apex[k], scene.section[k], 2e-11);
-        }
+        assert_all_close(orbit.apex, scene.section, TDMF_SECTION_COUNT, 2e-11, 0.0);
     }
     assert_int_equal(jacobians, REFERENCE_GAITS - PUBLISHED_GAITS);
 }
@@ -288,7 +282,5 @@ TEST(a_section_comes_back_from_its_state) {
     tdmf_section_state((tdmf_system){&model, &inputs}, section, state);
     const tdmf_ground_line ground = tdmf_ground_line_of(inputs.ground.height, inputs.ground.slope);
     tdmf_section_of_state(&model, &ground, state, state);
-    for (int i = 0; i < TDMF_SECTION_COUNT; ++i) {
-        assert_close(state[i], section[i], 1e-15);
-    }
+    assert_all_close(state, section, TDMF_SECTION_COUNT, 1e-15, 0.0);
 }

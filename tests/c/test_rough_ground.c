@@ -24,7 +24,7 @@ TEST(philox_gives_the_published_words) {
          {0xa4093822, 0x299f31d0},
          {0xd16cfe09, 0x94fdcceb, 0x5001e420, 0x24126ea1}},
     };
-    for (size_t i = 0; i < sizeof known / sizeof known[0]; ++i) {
+    for (size_t i = 0; i < COUNT_OF(known); ++i) {
         uint32_t words[4];
         tdmf_philox(known[i].counter, known[i].key, words);
         assert_memory_equal(words, known[i].words, sizeof words);
@@ -60,7 +60,7 @@ TEST(steps_have_the_moments_of_a_normal_distribution) {
 TEST(steps_have_the_distribution_function_of_a_normal_one) {
     static const double borders[] = {-4.0, -3.0, -2.0, -1.5,  -1.0, -0.6, -0.01, 0.0,
                                      0.01, 0.3,  0.99, 1.001, 1.7,  2.0,  2.3,   3.5};
-    enum { BORDERS = sizeof borders / sizeof borders[0] };
+    enum { BORDERS = COUNT_OF(borders) };
     long below[BORDERS] = {0};
     for (int i = 0; i < STEPS; ++i) {
         const double size = step(i);
@@ -87,7 +87,7 @@ TEST(steps_are_independent_along_strides_runners_and_seeds) {
     enum { PAIRS = sample_of(100000) };
     static const counted neighbours[] = {
         {0, 0, 1}, {0, 1, 0}, {1, 0, 0}, {0, (uint64_t)1 << 32, 0}, {(uint64_t)1 << 32, 0, 0}};
-    for (size_t n = 0; n < sizeof neighbours / sizeof neighbours[0]; ++n) {
+    for (size_t n = 0; n < COUNT_OF(neighbours); ++n) {
         double products = 0.0;
         for (uint32_t i = 0; i < PAIRS; ++i) {
             const counted one = {3 * i, 5 * (uint64_t)i, 7 * i};
@@ -177,8 +177,6 @@ static void assert_same_last_apex(const tdmf_ensemble_end *end, const tdmf_motio
 TEST(runners_whose_ground_waits_meet_it_alike_in_all_lanes) {
     static const double pushes[] = {0.0, 2e-3, -2e-3};
     static tdmf_motion motions[RUNNERS];
-    tdmf_instructions sets[TDMF_INSTRUCTIONS_COUNT];
-    const int count = list_instructions(sets);
     int strides[RUNNERS];
     waits seen = {0};
     for (int push = 0; push < 3; ++push) {
@@ -187,8 +185,8 @@ TEST(runners_whose_ground_waits_meet_it_alike_in_all_lanes) {
         for (int i = 0; i < RUNNERS; ++i) {
             strides[i] = run_over_steps(crowd, i, &motions[i], &seen);
         }
-        for (int set = 0; set < count; ++set) {
-            run_crowd(crowd, sets[set]);
+        FOR_INSTRUCTIONS(set) {
+            run_crowd(crowd, set);
             for (int i = 0; i < RUNNERS; ++i) {
                 assert_same_strides(&crowd->ends[i], &motions[i], strides[i]);
                 if (strides[i] > 0) {
@@ -205,7 +203,7 @@ TEST(runners_whose_ground_waits_meet_it_alike_in_all_lanes) {
 TEST(refuses_a_roughness_that_is_none) {
     static const double none[] = {-1e-300, NAN, INFINITY};
     crowd *crowd = gather_before_high_steps(0.0);
-    for (size_t i = 0; i < sizeof none / sizeof none[0]; ++i) {
+    for (size_t i = 0; i < COUNT_OF(none); ++i) {
         crowd->cases[0].rules.roughness = none[i];
         assert_crowd_is_refused(crowd);
     }

@@ -68,11 +68,9 @@ static int settled_at_the_first(const crowd *crowd, int coordinates) {
 }
 
 TEST(a_runner_in_the_ball_has_settled) {
-    tdmf_instructions sets[TDMF_INSTRUCTIONS_COUNT];
-    const int count = list_instructions(sets);
-    for (int i = 0; i < count; ++i) {
+    FOR_INSTRUCTIONS(set) {
         crowd *crowd = gather();
-        run_crowd(crowd, sets[i]);
+        run_crowd(crowd, set);
         assert_int_equal(crowd->ends[0].fate, TDMF_FATE_SETTLED);
         assert_int_equal(crowd->ends[0].strides, 0);
         assert_true(crowd->ends[2].strides > 0);

@@ -42,7 +42,7 @@ TEST(a_start_on_the_ground_begins_as_its_foot_moves_and_is_loaded) {
                  {-0.3, -0.05, 0.0, 0.0, -0.01, 0.0, 0.0, TDMF_CONTACT_FLIGHT, TDMF_PHASE_PLACE, 0},
                  {-0.3, -0.02, 0.0, 0.0, -0.01, 0.0, 0.0, TDMF_CONTACT_GRAZE, TDMF_PHASE_PLACE, 0},
                  {-0.3, 0.01, 0.0, 0.0, 0.0, 3.0, -0.2, TDMF_CONTACT_STICK, TDMF_PHASE_COAST, 0}};
-    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
+    for (size_t i = 0; i < COUNT_OF(cases); ++i) {
         runner runner = scene_on_ground(TDMF_CONTACT_STICK, cases[i].angle, cases[i].force);
         runner.motion.state[TDMF_LEG_LENGTH_RATE] = cases[i].length_rate;
         runner.motion.state[TDMF_LEG_ANGLE_RATE] = cases[i].angle_rate;

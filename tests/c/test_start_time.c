@@ -11,7 +11,7 @@
 #include <math.h>
 
 static const double start_times[] = {-3.0, 1.7e9, -1e13, 1e15, 1e17};
-enum { START_TIMES = sizeof start_times / sizeof start_times[0] };
+enum { START_TIMES = COUNT_OF(start_times) };
 
 static simulation start_at(const reference_gait *gait, double bend, double time, double tolerance) {
     const runner runner = runner_at_reference_apex(gait);
@@ -56,9 +56,7 @@ TEST(strides_of_the_native_solver) {
 }
 
 TEST(strides_of_cvode) {
-    if (!tdmf_cvode_is_available()) {
-        skip();
-    }
+    skip_without_cvode();
     assert_independent(tdmf_cvode_advance, 1e-12, 1e-8);
 }
 

@@ -104,9 +104,7 @@ TEST(long_calls_may_make_more_steps) {
 }
 
 TEST(cvode_takes_stiff_runners) {
-    if (!tdmf_cvode_is_available()) {
-        skip();
-    }
+    skip_without_cvode();
     const tdmf_parameters parameters = stiff_parameters(0);
     runner runner = runner_of(&parameters);
     runner.motion.state[TDMF_LEG_ANGLE] = 1.2; /* strong damping holds it there: the foot stays in the air */

@@ -148,7 +148,7 @@ TEST(words_have_a_letter_for_every_mode_that_lasts) {
         {"l+0-0+|", "0+0-0+", {1, 2, 3, 4, 5, 6, 7}, 6.0, 1}, {"l+0-|", "+-", {1, 1, 2, 2, 3}, 2.0, 1},
         {"l|l-|", "0|0-", {1, 2, 3, 4, 5}, 3.0, 2},           {"l|l|l|", "0", {1, 1, 2, 3, 4, 4}, 1.0, 3},
         {"lg0g+|", "0+", {1, 2, 3, 4, 5, 6}, 3.0, 1},         {"lgfl|", "0|0", {1, 2, 2.5, 3, 4}, 2.0, 2}};
-    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
+    for (size_t i = 0; i < COUNT_OF(cases); ++i) {
         runner runner = begin_stride();
         for (int k = 0; cases[i].happens[k] != '\0'; ++k) {
             follow(&runner, cases[i].happens[k], cases[i].times[k]);
@@ -167,7 +167,7 @@ TEST(words_have_a_letter_for_every_mode_that_lasts) {
 TEST(long_words_have_no_code_and_the_longest_are_cut) {
     static const int lengths[] = {
         15, 16, TDMF_WORD_CAPACITY - 2, TDMF_WORD_CAPACITY - 1, TDMF_WORD_CAPACITY, TDMF_WORD_CAPACITY + 37};
-    for (size_t i = 0; i < sizeof lengths / sizeof lengths[0]; ++i) {
+    for (size_t i = 0; i < COUNT_OF(lengths); ++i) {
         char word[TDMF_WORD_CAPACITY] = "";
         runner runner = begin_stride();
         follow(&runner, 'l', 1.0);
@@ -331,7 +331,7 @@ TEST(both_peaks_of_the_force_are_found_on_a_slope) {
 /* A still leg at 0.3 rad under 0.101 N, 0.1 N of them from the body. */
 TEST(outputs_follow_the_motion) {
     runner runner = scene_on_ground(TDMF_CONTACT_STICK, 0.3, 0.101);
-    const tdmf_outputs outputs = outputs_of(SYSTEM_OF(&runner), &runner.motion);
+    const tdmf_outputs outputs = OUTPUTS_OF(&runner);
     const double length = 1.0 - 0.1 / cos(0.3);
     assert_close(outputs.body.x, -length * sin(0.3), 1e-15);
     assert_close(outputs.body.y, length * cos(0.3), 1e-15);
@@ -345,7 +345,7 @@ TEST(outputs_follow_the_motion) {
     assert_close(outputs.energy.total, outputs.energy.potential + outputs.energy.elastic, 1e-15);
     runner.motion.mode.fallen = true;
     assert_int_equal(outputs.status.fallen, 0);
-    assert_int_equal(outputs_of(SYSTEM_OF(&runner), &runner.motion).status.fallen, 1);
+    assert_int_equal(OUTPUTS_OF(&runner).status.fallen, 1);
 }
 
 /* Not what the run has done since its start. */
@@ -358,7 +358,7 @@ TEST(a_second_stride_counts_its_own_work_only) {
     const double at = tdmf_center_of_mass(&runner.model, runner.motion.state).x;
     runner_stride(&runner, 0.01);
     const tdmf_stride *stride = &runner.motion.record.stride;
-    const tdmf_outputs outputs = outputs_of(SYSTEM_OF(&runner), &runner.motion);
+    const tdmf_outputs outputs = OUTPUTS_OF(&runner);
     assert_string_equal(outputs.stride.word, "+0-0+");
     assert_true(outputs.apex.com_height == outputs.com.y && outputs.apex.com_speed == outputs.com.vx);
     assert_true(outputs.apex.time == runner.motion.time && outputs.event.last_time == runner.motion.time);

@@ -124,9 +124,7 @@ static void set_by_hand(const population *population, tdmf_parameters *parameter
 static void assert_recorded(const tdmf_ensemble_stride *recorded, const tdmf_motion *motion) {
     double apex[TDMF_SECTION_COUNT];
     read_apex(&motion->record, apex);
-    for (int j = 0; j < TDMF_SECTION_COUNT; ++j) {
-        assert_close(recorded->apex[j], apex[j], 1e-7);
-    }
+    assert_all_close(recorded->apex, apex, TDMF_SECTION_COUNT, 1e-7, 0.0);
     assert_same_stride(&recorded->stride, &motion->record.stride, 1e-7);
     assert_close(recorded->liftoff_angle, motion->mode.liftoff_angle, 1e-7);
 }
@@ -199,16 +197,14 @@ static void assert_strides_by_hand(const population *population, int number, con
 
 static void run_in_all_lanes(population *population) {
     strides_by_hand *by_hand = allocate(RUNNERS, sizeof *by_hand);
-    tdmf_instructions sets[TDMF_INSTRUCTIONS_COUNT];
-    const int count = list_instructions(sets);
     int closed = 0;
     for (int i = 0; i < RUNNERS; ++i) {
         stride_by_hand(population, i, &by_hand[i]);
         closed += by_hand[i].closed;
     }
     assert_true(closed > RUNNERS * population->scenario->rules.max_strides / 2);
-    for (int set = 0; set < count; ++set) {
-        run_crowd(population->crowd, sets[set]);
+    FOR_INSTRUCTIONS(set) {
+        run_crowd(population->crowd, set);
         for (int i = 0; i < RUNNERS; ++i) {
             assert_strides_by_hand(population, i, &by_hand[i]);
         }
@@ -289,17 +285,15 @@ TEST(no_setting_is_beyond_its_limits_and_some_are_at_them) {
 TEST(strides_depend_on_neither_threads_nor_neighbours) {
     enum { FIRST = 7, PART = RUNNERS / 2 + 1 };
     population *all = gather(0.1), *part = gather(0.1);
-    tdmf_instructions sets[TDMF_INSTRUCTIONS_COUNT];
-    const int count = list_instructions(sets);
     all->scenario->rules.law = &all->law;
     part->scenario->rules.law = &part->law;
     part->ensemble->threads = 2;
     part->ensemble->first_number = FIRST;
     part->ensemble->starts += FIRST;
     part->ensemble->count = PART;
-    for (int set = 0; set < count; ++set) {
-        run_crowd(all->crowd, sets[set]);
-        run_crowd(part->crowd, sets[set]);
+    FOR_INSTRUCTIONS(set) {
+        run_crowd(all->crowd, set);
+        run_crowd(part->crowd, set);
         assert_memory_equal(part->crowd->ends, &all->crowd->ends[FIRST], PART * sizeof *part->crowd->ends);
         assert_memory_equal(part->crowd->strides, noted(all, FIRST, 0),
                             PART * STRIDES * sizeof *part->crowd->strides);
@@ -307,14 +301,12 @@ TEST(strides_depend_on_neither_threads_nor_neighbours) {
 }
 
 static void assert_going_on_is_the_same(population *whole, population *parts) {
-    tdmf_instructions sets[TDMF_INSTRUCTIONS_COUNT];
-    const int count = list_instructions(sets);
-    for (int set = 0; set < count; ++set) {
-        run_crowd(whole->crowd, sets[set]);
+    FOR_INSTRUCTIONS(set) {
+        run_crowd(whole->crowd, set);
         for (int stride = 0; stride < STRIDES; ++stride) {
             parts->scenario->rules.max_strides = stride + 1;
             parts->ensemble->goes_on = stride > 0;
-            run_crowd(parts->crowd, sets[set]);
+            run_crowd(parts->crowd, set);
         }
         assert_memory_equal(parts->crowd->ends, whole->crowd->ends, RUNNERS * sizeof *parts->crowd->ends);
         assert_memory_equal(parts->crowd->strides, whole->crowd->strides,
@@ -336,7 +328,7 @@ TEST(on_a_terrain_too) {
     for (int trips = 0; trips < 2; ++trips) {
         for (int i = 0; i < 2; ++i) {
             tdmf_ensemble_rules *rules = &both[i]->scenario->rules;
-            const tdmf_terrain drawn = {.length = 3.0}, given = {20.0, walls, sizeof walls / sizeof walls[0]};
+            const tdmf_terrain drawn = {.length = 3.0}, given = {20.0, walls, COUNT_OF(walls)};
             rules->terrain = trips ? given : drawn;
             rules->roughness = trips ? 0.0 : 0.1;
             rules->trips = trips;
@@ -441,7 +433,7 @@ TEST(settings_are_what_may_change_at_events) {
         set[count++] = tdmf_input_ranges[i].name;
     }
     assert_int_equal(count, TDMF_SETTING_LIMIT);
-    for (size_t i = 0; i < sizeof some / sizeof some[0]; ++i) {
+    for (size_t i = 0; i < COUNT_OF(some); ++i) {
         assert_true(tdmf_setting_of(some[i]) >= 0);
     }
     for (int i = 0; i < TDMF_SETTING_LIMIT; ++i) {
@@ -450,7 +442,7 @@ TEST(settings_are_what_may_change_at_events) {
             assert_int_not_equal(tdmf_setting_of(set[i]), tdmf_setting_of(set[j]));
         }
     }
-    for (size_t i = 0; i < sizeof fixed / sizeof fixed[0]; ++i) {
+    for (size_t i = 0; i < COUNT_OF(fixed); ++i) {
         assert_int_equal(tdmf_setting_of(fixed[i]), -1);
     }
 }
@@ -462,7 +454,7 @@ TEST(refuses_laws_that_are_none) {
     double numbers[SETTINGS], gains[SETTINGS][TDMF_POINT_LIMIT];
     population->scenario->rules.law = &law;
     run_crowd(population->crowd, population->ensemble->instructions);
-    for (size_t i = 0; i < sizeof none / sizeof none[0]; ++i) {
+    for (size_t i = 0; i < COUNT_OF(none); ++i) {
         memcpy(numbers, nominal, sizeof numbers);
         memcpy(gains, gain, sizeof gains);
         gains[1][2] = none[i];

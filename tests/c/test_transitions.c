@@ -73,7 +73,7 @@ TEST(touchdown_upright_is_driven_unless_the_leg_falls) {
         int phase;
     } cases[] = {{-0.1, 0.2, COAST}, {0.0, 0.2, COAST},   {0.1, 0.2, DRIVE},
                  {0.0, 0.0, DRIVE},  {-0.1, -0.2, COAST}, {0.0, -0.2, DRIVE}};
-    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+    for (size_t i = 0; i < COUNT_OF(cases); ++i) {
         for (double friction = 0.0; friction < 2.0; friction += 1.0) {
             runner runner = scene_on_ground(TDMF_CONTACT_STICK, 0.0, 0.1);
             runner.inputs.ground.friction = friction;
@@ -291,7 +291,7 @@ TEST(lift_off_goes_by_the_law_of_flight) {
                  {-1.0, 0.2, GRAZE, RETRACT, false},
                  {0.5, -0.2, GRAZE, PLACE, false},
                  {2.0, -0.2, FLIGHT, PLACE, false}};
-    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+    for (size_t i = 0; i < COUNT_OF(cases); ++i) {
         runner runner = lifting_off(cases[i].angle_rate, cases[i].com_vy);
         assert_true(enter(&runner, 1, cases[i].contact, cases[i].phase).mode_changed);
         assert_true(runner.motion.mode.clamp_closed == cases[i].clamp_closed);
@@ -343,7 +343,7 @@ TEST(slips_begin_end_reverse_and_go_on_by_the_cone) {
                  {FORWARD, -0.5, 0.1, 1, BACKWARD},
                  {BACKWARD, 0.5, 0.1, 1, FORWARD},
                  {FORWARD, 0.5, 0.1, 1, FORWARD}};
-    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+    for (size_t i = 0; i < COUNT_OF(cases); ++i) {
         runner runner = loaded_foot(cases[i].before, cases[i].angle, cases[i].friction);
         runner.motion.record.progress.open.contact_start.time = 1.0;
         const tdmf_resolution resolution = enter(&runner, cases[i].events, cases[i].after, COAST);
@@ -363,7 +363,7 @@ TEST(static_friction_decides_whether_a_foot_rests) {
             loaded_foot(i < 2 ? STICK : FORWARD, i < 2 ? 0.5 : -0.5, edge + (i % 2 == 0 ? 1e-9 : -1e-9));
         runner.model.parameters.ground.static_friction_ratio = 1.25;
         enter(&runner, i == 0 ? 0 : 1, after[i], COAST);
-        const tdmf_outputs now = outputs_at(SYSTEM_OF(&runner), &runner.motion.mode, runner.motion.state);
+        const tdmf_outputs now = OUTPUTS_OF(&runner);
         assert_true(i < 3 || fabs(now.contact.tangential - edge * now.contact.normal) < 1e-9);
     }
 }
@@ -404,7 +404,7 @@ TEST(mid_stance_ends_the_drive_for_good) {
         assert_false(scene_resolve(&runner).mode_changed);
     }
     assert_int_equal(runner.motion.record.event_count, 1);
-    assert_true(outputs_at(SYSTEM_OF(&runner), &runner.motion.mode, runner.motion.state).hip.torque == 0.0);
+    assert_true(OUTPUTS_OF(&runner).hip.torque == 0.0);
 }
 
 /* Without the drive, which held it down, the foot lifts; without the torque that balanced the drive, it
@@ -450,7 +450,7 @@ TEST(graze_ends_where_the_foot_is_loaded) {
     } cases[] = {{-1e-3, 0.0, 0, GRAZE, RETRACT},     {-beyond, 0.1, 1, FORWARD, COAST},
                  {-beyond, -0.1, 1, BACKWARD, COAST}, {-beyond, 1e-12, 1, FORWARD, COAST},
                  {0.05, 0.0, 1, STICK, COAST},        {-beyond, 0.0, 1, FORWARD, COAST}};
-    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+    for (size_t i = 0; i < COUNT_OF(cases); ++i) {
         runner runner = grazing(cases[i].force, cases[i].vx);
         enter(&runner, cases[i].events, cases[i].contact, cases[i].phase);
         assert_true(runner.motion.mode.liftoff_angle == -0.45);
@@ -501,7 +501,7 @@ TEST(jumps_of_torque_and_friction_end_a_stance_or_start_a_slip) {
     } cases[] = {{0.4, 0.0, -0.05, 0.4, BACKWARD, COAST}, {0.4, 0.0, 0.1, 0.4, FORWARD, COAST},
                  {0.4, 0.0, 0.0, 0.3, BACKWARD, COAST},   {1e3, 0.1, -0.5, 1e3, FLIGHT, RETRACT},
                  {1e3, -4.0, -0.5, 1e3, GRAZE, RETRACT},  {0.4, 0.1, -0.5, 0.0, FLIGHT, RETRACT}};
-    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+    for (size_t i = 0; i < COUNT_OF(cases); ++i) {
         runner runner = standing(cases[i].before, cases[i].angle_rate);
         runner.motion.record.progress.open.contact_start.time = 1.0;
         runner.inputs.hip.external_torque = cases[i].torque;
@@ -566,7 +566,7 @@ TEST(resolving_with_nothing_due_changes_nothing) {
                         scene_on_ground(TDMF_CONTACT_SLIP_POSITIVE, 0.3, 0.1),
                         scene_on_ground(TDMF_CONTACT_SLIP_NEGATIVE, 0.3, 0.1),
                         grazing(-1e-3, 0.1)};
-    for (size_t i = 0; i < sizeof at_rest / sizeof *at_rest; ++i) {
+    for (size_t i = 0; i < COUNT_OF(at_rest); ++i) {
         scene_snapshot before;
         resolve(&at_rest[i], 0); /* notes the ground force */
         scene_take_snapshot(&at_rest[i], &before);
