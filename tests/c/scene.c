@@ -170,6 +170,13 @@ void scene_leave_minima(tdmf_parameters *parameters) {
     }
 }
 
+void scene_lighten_foot_and_stiffen_leg(runner *runner) {
+    tdmf_parameters parameters = runner->model.parameters;
+    parameters.foot.mass = 1e-6 * parameters.body.mass;
+    parameters.leg.stiffness *= 1e4;
+    assert_null(tdmf_model_create(&runner->model, &parameters).variable);
+}
+
 tdmf_parameters scene_random_parameters(random_source *source) {
     tdmf_parameters p = tdmf_default_parameters();
     p.body.mass = random_magnitude(source, 0.1, 100.0);

@@ -61,6 +61,9 @@ tdmf_inputs scene_random_inputs(random_source *source, const tdmf_model *model);
 /* Moves each parameter that is at the minimum of its range off it, so that it may differ to both sides. */
 void scene_leave_minima(tdmf_parameters *parameters);
 
+/* Makes the foot a millionth of the body, on a leg ten thousand times as stiff. */
+void scene_lighten_foot_and_stiffen_leg(runner *runner);
+
 /* A random model, input, state and mode with this contact mode, obeying the mode's constraints. */
 runner scene_random(random_source *source, tdmf_contact_mode contact);
 

@@ -20,12 +20,6 @@ static simulation begin(double thrust, double tolerance) {
     return run;
 }
 
-static void set_thrust(simulation *run, double thrust) {
-    tdmf_parameters parameters = run->model.parameters;
-    parameters.leg.thrust = thrust;
-    run->model = accepted_model(&parameters);
-}
-
 /* ---- ramps --------------------------------------------------------------------------------------------- */
 
 enum { PARTS = 24 };
@@ -80,7 +74,8 @@ TEST(ramps_of_every_input_close_the_ledger_and_agree_with_cvode) {
 static void jump(random_source *source, simulation *run, double largest) {
     tdmf_inputs *inputs = &run->inputs;
     tdmf_observe((tdmf_system){&run->model, inputs}, &run->motion);
-    set_thrust(run, random_chance(source, 0.3) ? 0.0 : random_uniform(source, 0.0, largest));
+    run->model.parameters.leg.thrust =
+        random_chance(source, 0.3) ? 0.0 : random_uniform(source, 0.0, largest);
     inputs->leg.extension = random_uniform(source, -0.5, 0.5) * largest;
     inputs->control.thrust = random_chance(source, 0.5) ? 0.0 : random_uniform(source, -largest, largest);
     inputs->control.stance_torque = random_uniform(source, -0.1, 0.1);
@@ -120,9 +115,7 @@ static const double thrust = 0.05;
 
 static runner standing_leg(double length_rate, double leg_thrust) {
     runner runner = scene_on_ground(TDMF_CONTACT_STICK, -0.3, 0.2);
-    tdmf_parameters parameters = runner.model.parameters;
-    parameters.leg.thrust = leg_thrust;
-    runner.model = accepted_model(&parameters);
+    runner.model.parameters.leg.thrust = leg_thrust;
     runner.motion.state[TDMF_LEG_LENGTH_RATE] = length_rate;
     return runner;
 }
@@ -187,9 +180,7 @@ TEST(the_native_solver_notes_a_thrust_of_zero) {
 
 TEST(an_impact_on_a_lengthening_leg_thrusts_before_it_is_asked_whether_it_stays) {
     runner thrusting = scene_at_impact(TDMF_PHASE_PLACE, -0.3, -0.02), free = thrusting;
-    tdmf_parameters parameters = thrusting.model.parameters;
-    parameters.leg.thrust = 0.5;
-    thrusting.model = accepted_model(&parameters);
+    thrusting.model.parameters.leg.thrust = 0.5;
     thrusting.motion.state[TDMF_LEG_LENGTH_RATE] += 0.3;
     free.motion.state[TDMF_LEG_LENGTH_RATE] += 0.3;
     scene_resolve(&thrusting);
@@ -295,10 +286,8 @@ TEST(stops_make_no_difference) {
     for (int i = 0; i <= whole.log.count; ++i) {
         simulation_advance(&events, i < whole.log.count ? whole.log.events[i].time : end);
     }
-    for (int k = 0; k < TDMF_STATE_COUNT; ++k) {
-        assert_close(stepped.motion.state[k], whole.motion.state[k], 1e-9);
-        assert_close(events.motion.state[k], whole.motion.state[k], 1e-9);
-    }
+    assert_all_close(stepped.motion.state, whole.motion.state, TDMF_STATE_COUNT, 1e-9, 0.0);
+    assert_all_close(events.motion.state, whole.motion.state, TDMF_STATE_COUNT, 1e-9, 0.0);
     assert_int_equal(stepped.motion.record.event_count, whole.motion.record.event_count);
     assert_int_equal(events.motion.record.event_count, whole.motion.record.event_count);
 }

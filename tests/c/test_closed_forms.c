@@ -195,18 +195,16 @@ TEST(a_foot_slips_when_friction_has_fallen_to_the_slope) {
     int slipped = 0;
     for (int i = 0; i < 8; ++i) {
         simulation run = run_without_losses(0.05);
-        tdmf_parameters parameters = run.model.parameters;
+        const tdmf_parameters *p = &run.model.parameters;
         const double slope = i & 1 ? 0.2 : -0.2, dip = dips[i >> 2];
-        parameters.ground.static_friction_ratio = ratios[i >> 1 & 1];
-        parameters.gravity = 0.2;
-        run.model = accepted_model(&parameters);
+        run.model.parameters.ground.static_friction_ratio = ratios[i >> 1 & 1];
+        run.model.parameters.gravity = 0.2;
         run.inputs.ground.slope = slope;
         run.inputs.ground.friction = 0.6;
         run.rates.ground.friction = -0.04;
-        const double slip = (0.6 - tan(fabs(slope)) / parameters.ground.static_friction_ratio) / 0.04;
+        const double slip = (0.6 - tan(fabs(slope)) / p->ground.static_friction_ratio) / 0.04;
         run.motion.state[TDMF_LEG_LENGTH] =
-            parameters.leg.free_length -
-            parameters.body.mass * parameters.gravity / parameters.leg.stiffness - dip;
+            p->leg.free_length - p->body.mass * p->gravity / p->leg.stiffness - dip;
         simulation_start(&run);
         assert_int_equal(run.motion.mode.contact, TDMF_CONTACT_STICK);
         assert_int_equal(simulation_advance(&run, slip + 1e-3), TDMF_ARRIVED);
@@ -258,13 +256,11 @@ TEST(a_change_of_a_placed_leg_swings_in_flight) {
     static const double foot_masses[] = {0.01, 0.3};
     for (int i = 0; i < 2; ++i) {
         simulation run = run_without_losses(foot_masses[i]);
-        tdmf_parameters parameters = run.model.parameters;
-        parameters.hip.kp = 1.0;
-        parameters.hip.touchdown_angle = 0.5;
-        run.model = accepted_model(&parameters);
+        run.model.parameters.hip.kp = 1.0;
+        run.model.parameters.hip.touchdown_angle = 0.5;
         const double until = 20.0;
-        const double pulsation =
-            sqrt(parameters.hip.kp * run.model.inverse_reduced_mass) / parameters.leg.free_length;
+        const double pulsation = sqrt(run.model.parameters.hip.kp * run.model.inverse_reduced_mass) /
+                                 run.model.parameters.leg.free_length;
         run.motion.state[TDMF_FOOT_Y] = 10.0;
         run.motion.state[TDMF_LEG_ANGLE] = 0.5;
         simulation_start(&run);

@@ -98,9 +98,7 @@ TEST(a_leg_that_is_retracted_goes_by_the_clock) {
     int in_place = 0, others = 0;
     skip_without_cvode();
     simulation run = begin(1e-9);
-    tdmf_parameters retracted = run.model.parameters;
-    retracted.hip.retraction_rate = 0.01;
-    run.model = accepted_model(&retracted);
+    run.model.parameters.hip.retraction_rate = 0.01;
     simulation native = run;
     run.solver.relative_tolerance = 1e-11;
     for (int i = 1; i <= 40; ++i) {

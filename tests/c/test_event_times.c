@@ -105,10 +105,6 @@ static int assert_events_but_clamps(const simulation *run, const proved_event *e
     return count;
 }
 
-static void assert_apex(const double actual[TDMF_SECTION_COUNT], const extended_stride *expected) {
-    assert_all_close(actual, expected->apex, expected->apex_count, 1e-12, 1e-12);
-}
-
 TEST(strides_under_any_gravity_have_the_events_of_extended_precision) {
     int compared = 0, total = 0;
     for (int i = 0; i < EXTENDED_STRIDES; ++i) {
@@ -120,7 +116,7 @@ TEST(strides_under_any_gravity_have_the_events_of_extended_precision) {
         compared += assert_events_but_clamps(&run, expected->events, 1e-12);
         double apex[TDMF_SECTION_COUNT];
         read_apex(&run.motion.record, apex);
-        assert_apex(apex, expected);
+        assert_all_close(apex, expected->apex, expected->apex_count, 1e-12, 1e-12);
         total += expected->event_count;
     }
     assert_int_equal(compared, total);

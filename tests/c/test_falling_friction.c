@@ -38,10 +38,8 @@ enum { IMPACTS = COUNT_OF(reference_impacts) };
 /* A foot about to hit the ground under that law, at a speed along it. */
 static runner falling_foot(const reference_impact *law, double speed) {
     runner runner = scene_in_flight(TDMF_PHASE_PLACE, -1.0);
-    tdmf_parameters parameters = runner.model.parameters;
-    parameters.ground.static_friction_ratio = law->ratio;
-    parameters.ground.stribeck_velocity = law->velocity;
-    runner.model = accepted_model(&parameters);
+    runner.model.parameters.ground.static_friction_ratio = law->ratio;
+    runner.model.parameters.ground.stribeck_velocity = law->velocity;
     runner.inputs.ground.friction = law->friction;
     runner.motion.state[TDMF_FOOT_Y] = 0.0;
     runner.motion.state[TDMF_LEG_ANGLE] = 0.4;
@@ -153,12 +151,10 @@ TEST(series_of_a_ramped_friction_agree_with_cvode) {
     for (int i = 0; i < RAMPED_RUNS && tdmf_cvode_is_available(); ++i) {
         const ramped_run *run = &ramped_runs[i];
         runner runner = runner_default(run->friction);
-        tdmf_parameters parameters = runner.model.parameters;
-        parameters.ground.static_friction_ratio = 1.5;
-        parameters.ground.stribeck_velocity = run->velocity;
-        parameters.ground.patch_begin = run->patch_begin;
-        parameters.ground.patch_end = run->patch_end;
-        runner.model = accepted_model(&parameters);
+        runner.model.parameters.ground.static_friction_ratio = 1.5;
+        runner.model.parameters.ground.stribeck_velocity = run->velocity;
+        runner.model.parameters.ground.patch_begin = run->patch_begin;
+        runner.model.parameters.ground.patch_end = run->patch_end;
         simulation native = simulation_of(&runner, 1e-13);
         native.rates.ground.friction = run->rate;
         simulation cvode = native;

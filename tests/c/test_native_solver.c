@@ -76,12 +76,9 @@ TEST(random_runs_have_the_same_events) {
 TEST(a_touch_that_turns_back_is_found) {
     for (double clearance = -1e-4; clearance < 2e-4; clearance += 2e-4) {
         runner runner = runner_default(0.6);
-        tdmf_parameters parameters = runner.model.parameters;
-        parameters.leg.damping = 0.0;
-        parameters.hip.kp = 0.0;
-        parameters.hip.kd = 0.0;
-        parameters.gravity = 1e-6;
-        runner.model = accepted_model(&parameters);
+        runner.model.parameters.leg.damping = 0.0;
+        runner.model.parameters.hip.kp = runner.model.parameters.hip.kd = 0.0;
+        runner.model.parameters.gravity = 1e-6;
         memset(runner.motion.state, 0, sizeof runner.motion.state);
         runner.motion.state[TDMF_LEG_LENGTH] = 0.9; /* swings to 1.1 and back in 1.9 time units */
         const double lowest = 0.2 / 1.1;
@@ -118,10 +115,8 @@ static double first_touchdown(const spinning_fall *fall) {
 
 static runner spinning_runner(random_source *source, spinning_fall *fall) {
     runner runner = runner_default(0.6);
-    tdmf_parameters p = runner.model.parameters;
-    p.hip.kp = 0.0;
-    p.hip.kd = 0.0;
-    runner.model = accepted_model(&p);
+    runner.model.parameters.hip.kp = runner.model.parameters.hip.kd = 0.0;
+    const tdmf_parameters p = runner.model.parameters;
     const double inverse_reduced_mass = 1.0 / p.body.mass + 1.0 / p.foot.mass;
     const double rate = random_uniform(source, 1.2, 2.0) * (random_chance(source, 0.5) ? 1.0 : -1.0);
     const double stiffness = inverse_reduced_mass * p.leg.stiffness;

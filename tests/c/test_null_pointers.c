@@ -17,12 +17,6 @@ static runner started(void) {
     return runner;
 }
 
-static void assert_same_numbers(const double *a, const double *b, int count) {
-    for (int i = 0; i < count; ++i) {
-        assert_true(a[i] == b[i]);
-    }
-}
-
 TEST(without_rates_inputs_are_held) {
     solver_call *const solvers[] = {tdmf_native_advance, tdmf_cvode_advance};
     const runner runner = started();
@@ -31,7 +25,7 @@ TEST(without_rates_inputs_are_held) {
         tdmf_solver solver = tdmf_solver_default();
         assert_int_equal(solvers[i](&solver, SYSTEM_OF(&runner), &no_rates, 30.0, &given), TDMF_ARRIVED);
         assert_int_equal(solvers[i](&solver, SYSTEM_OF(&runner), NULL, 30.0, &none), TDMF_ARRIVED);
-        assert_same_numbers(none.state, given.state, TDMF_STATE_COUNT);
+        assert_all_close(none.state, given.state, TDMF_STATE_COUNT, 0.0, 0.0);
         assert_int_equal(none.record.event_count, given.record.event_count);
     }
     const tdmf_inputs later = tdmf_inputs_after(&runner.inputs, NULL, 7.0);
@@ -50,8 +44,8 @@ TEST(without_a_direction_nothing_changes) {
     tdmf_vary_outputs(SYSTEM_OF(&runner), mode, state, &nothing_given, &length_seed, given, &nothing);
     tdmf_vary_outputs(SYSTEM_OF(&runner), mode, state, NULL, &length_seed, no_change, &nothing);
     tdmf_vary_outputs(SYSTEM_OF(&runner), mode, state, NULL, NULL, none, &nothing);
-    assert_same_numbers(no_change, given, TDMF_STATE_COUNT);
-    assert_same_numbers(none, zeros, TDMF_STATE_COUNT);
+    assert_all_close(no_change, given, TDMF_STATE_COUNT, 0.0, 0.0);
+    assert_all_close(none, zeros, TDMF_STATE_COUNT, 0.0, 0.0);
     assert_true(nothing.body.x == 0.0 && nothing.com.x == 0.0);
     double before[TDMF_STATE_COUNT];
     memcpy(before, runner.motion.state, sizeof before);
@@ -60,7 +54,7 @@ TEST(without_a_direction_nothing_changes) {
     tdmf_variation varied, unchanged;
     tdmf_vary_start(SYSTEM_OF(&runner), before, &nothing_given, length_seed.state, &varied);
     tdmf_vary_start(SYSTEM_OF(&runner), before, NULL, length_seed.state, &unchanged);
-    assert_same_numbers(unchanged.state, varied.state, TDMF_STATE_COUNT);
+    assert_all_close(unchanged.state, varied.state, TDMF_STATE_COUNT, 0.0, 0.0);
 }
 
 static void default_section(double section[TDMF_SECTION_COUNT]) {
@@ -76,17 +70,17 @@ TEST(arrays_of_no_elements_may_be_absent) {
     const tdmf_return none = return_map(&solver, SYSTEM_OF(&runner), section, 1e3, true, NULL, 0);
     const tdmf_return one = return_map(&solver, SYSTEM_OF(&runner), section, 1e3, true, &nothing_given, 1);
     assert_true(none.outcome == TDMF_RETURN_CLOSED && one.outcome == TDMF_RETURN_CLOSED);
-    assert_same_numbers(none.apex, one.apex, TDMF_SECTION_COUNT);
-    assert_same_numbers(none.variations[0].apex, one.variations[0].apex, TDMF_SECTION_COUNT);
+    assert_all_close(none.apex, one.apex, TDMF_SECTION_COUNT, 0.0, 0.0);
+    assert_all_close(none.variations[0].apex, one.variations[0].apex, TDMF_SECTION_COUNT, 0.0, 0.0);
     tdmf_motion motion = runner.motion, varied = motion;
     assert_true(tdmf_native_stride(&solver, SYSTEM_OF(&runner), 1e3, &motion).closed);
     assert_true(tdmf_native_stride_varied(&solver, SYSTEM_OF(&runner), 1e3, &varied, NULL, NULL, 0).closed);
-    assert_same_numbers(varied.state, motion.state, TDMF_STATE_COUNT);
+    assert_all_close(varied.state, motion.state, TDMF_STATE_COUNT, 0.0, 0.0);
     const tdmf_orbit plain = find_orbit(TDMF_RETURN_MAP, &solver, SYSTEM_OF(&runner), section, NULL, 0);
     const tdmf_orbit with_seed =
         find_orbit(TDMF_RETURN_MAP, &solver, SYSTEM_OF(&runner), section, &nothing_given, 1);
     assert_int_equal(plain.outcome, with_seed.outcome);
-    assert_same_numbers(plain.apex, with_seed.apex, TDMF_SECTION_COUNT);
+    assert_all_close(plain.apex, with_seed.apex, TDMF_SECTION_COUNT, 0.0, 0.0);
     const tdmf_refusal accepted = {0};
     assert_null(tdmf_refusal_text(&accepted, NULL, 0));
 }

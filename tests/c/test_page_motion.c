@@ -200,10 +200,8 @@ TEST(test_a_run_that_is_cut_goes_on_as_one_that_is_not) {
 /* A thrust that is set later acts at once, no matter how often the leg has been shortened since. */
 TEST(test_a_greatest_compression_within_a_call_is_noted) {
     runner standing = runner_default(1.0);
-    tdmf_parameters parameters = standing.model.parameters;
-    parameters.leg.damping = 0.01;
-    parameters.hip.stance_torque = 0.0;
-    standing.model = accepted_model(&parameters);
+    standing.model.parameters.leg.damping = 0.01;
+    standing.model.parameters.hip.stance_torque = 0.0;
     memset(standing.motion.state, 0, sizeof standing.motion.state);
     standing.motion.state[TDMF_LEG_LENGTH] = 0.99;
     standing.motion.state[TDMF_LEG_LENGTH_RATE] = -0.005;

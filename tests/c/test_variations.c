@@ -9,45 +9,6 @@
 #include <math.h>
 #include <string.h>
 
-/* ---- runners ------------------------------------------------------------------------------------------- */
-
-enum kind {
-    ORDINARY,
-    LIGHT_FOOT_ON_STIFF_LEG,
-    HEAVY_FOOT,
-    ON_GLUE,
-    ON_ICE,
-    WITHOUT_HIP_AND_DAMPER,
-    UPRIGHT,
-    SHORTER_THAN_ITS_MINIMUM, /* a solver's trial, above or below the floor of 1/r */
-    KINDS
-};
-
-static runner random_runner(random_source *source, tdmf_contact_mode contact, enum kind kind) {
-    runner runner = scene_random(source, contact);
-    tdmf_parameters p = runner.model.parameters;
-    if (kind == LIGHT_FOOT_ON_STIFF_LEG) {
-        p.foot.mass = 1e-6 * p.body.mass;
-        p.leg.stiffness *= 1e4;
-    } else if (kind == HEAVY_FOOT) {
-        p.foot.mass = 1e3 * p.body.mass;
-    } else if (kind == WITHOUT_HIP_AND_DAMPER) {
-        p.leg.damping = p.hip.stance_torque = p.hip.kp = p.hip.kd = 0.0;
-        runner.inputs.hip.external_torque = 0.0;
-        runner.motion.mode.clamp_closed = false;
-    } else if (kind == ON_GLUE) {
-        runner.inputs.ground.friction = 1e6;
-    } else if (kind == ON_ICE) {
-        runner.inputs.ground.friction = 0.0;
-    } else if (kind == UPRIGHT) {
-        runner.motion.state[TDMF_LEG_ANGLE] = 0.0;
-    } else if (kind == SHORTER_THAN_ITS_MINIMUM) {
-        runner.motion.state[TDMF_LEG_LENGTH] = (random_chance(source, 0.5) ? 0.3 : 0.7) * p.leg.min_length;
-    }
-    runner.model = accepted_model(&p);
-    return runner;
-}
-
 static double static_friction(const runner *runner) {
     return runner->model.parameters.ground.static_friction_ratio * runner->inputs.ground.friction;
 }
@@ -150,7 +111,7 @@ TEST(a_start_varies_as_it_changes) {
     random_source source = {8000};
     int compared = 0;
     for (int i = 0; i < 200; ++i) {
-        runner given = random_runner(&source, TDMF_CONTACT_FLIGHT, ORDINARY);
+        runner given = scene_random(&source, TDMF_CONTACT_FLIGHT);
         given.inputs.ground.friction = random_uniform(&source, 0.1, 1.0);
         given.inputs.ground.height = given.inputs.ground.slope = 0.0;
         given.motion.state[TDMF_FOOT_Y] = fabs(given.motion.state[TDMF_FOOT_Y]);
@@ -185,8 +146,10 @@ TEST(a_start_that_thrusts_at_once_varies_with_its_work) {
     random_source source = {8100};
     int thrusting = 0;
     for (int i = 0; i < 200; ++i) {
-        runner given =
-            random_runner(&source, TDMF_CONTACT_FLIGHT, i % 4 ? ORDINARY : LIGHT_FOOT_ON_STIFF_LEG);
+        runner given = scene_random(&source, TDMF_CONTACT_FLIGHT);
+        if (i % 4 == 0) {
+            scene_lighten_foot_and_stiffen_leg(&given);
+        }
         const tdmf_scales *scales = &given.model.scales;
         const double thrust = scales->length * random_uniform(&source, 0.05, 0.2);
         given.inputs.ground.friction = random_uniform(&source, 0.1, 1.0);
