@@ -12,7 +12,7 @@ import re
 
 from cffi import FFI
 
-ROOTS = ("tdmf_slip.h", "ensemble.h", "own_page.h")
+ROOTS = ("tdmf_slip.h", "ensemble.h")
 """Headers that bring in all others."""
 MODULE = "tdmf_slip.library.declarations"
 

@@ -11,6 +11,10 @@ static const tdmf_model_kind *model_of(const tdmf_page *page) {
     return (const tdmf_model_kind *)page;
 }
 
+const char *tdmf_page_build(void) {
+    return tdmf_build_identity;
+}
+
 const tdmf_page *tdmf_page_named(const char *name) {
     for (int i = 0; name && i < tdmf_page_count; ++i) {
         if (strcmp(name, tdmf_pages[i].name) == 0) {

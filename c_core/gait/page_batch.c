@@ -1,6 +1,6 @@
 /* Strides of many runners on a page: runs from a section, some thousand at a time, as a batch of the kernel.
  */
-#include "tdmf_slip/own_page.h"
+#include "tdmf_slip/ensemble.h"
 
 #include "batch.h"
 #include "page_map.h"
@@ -107,10 +107,6 @@ static bool run_part(const tdmf_page_batch *batch, int64_t first, int64_t count,
         finish(batch, of->numbers[i], &of->runs[i], of->outcomes[i]);
     }
     return true;
-}
-
-const char *tdmf_page_build(void) {
-    return tdmf_build_identity;
 }
 
 bool tdmf_page_strides(const tdmf_page_batch *batch) {

@@ -7,4 +7,5 @@ const tdmf_page_entry tdmf_pages[] = {
     {"classic_slip", &tdmf_classic_slip_model, NULL, 0},
     {"reduced_runner", &tdmf_reduced_runner_model, NULL, 0},
 };
+const char *const tdmf_build_identity = "package";
 const int tdmf_page_count = sizeof tdmf_pages / sizeof *tdmf_pages;

@@ -16,8 +16,6 @@ typedef struct {
 
 extern const tdmf_page_entry tdmf_pages[];
 extern const int tdmf_page_count;
-
-/* Identity of a library that `tdmf-slip build` made. */
 extern const char *const tdmf_build_identity;
 
 /* Checks of a map but for its numbers, of its parameters and states, and of a point of its section. */

@@ -9,6 +9,7 @@
 - `c_core/include/tdmf_slip/variables.h`, which scripts/derive_equations formats
 """
 
+import json
 import re
 import sys
 from pathlib import Path
@@ -17,6 +18,7 @@ from ..hybrid.c_text import c_text, wrapped_text
 from ..hybrid.expressions import forget_expressions
 from ..hybrid.generate import generate, seeds_of
 from ..hybrid.instants import Functions
+from ..hybrid.model_table import table_of
 from ..hybrid.page import Page
 from ..hybrid.description import build_description, description, terminals
 from ..hybrid.tables import list_in_c
@@ -106,6 +108,7 @@ files = {f"c_core/derived/pages/{name}": text for name, text in texts.items()} |
     "c_core/derived/unit/fmi3/terminalsAndIcons/terminalsAndIcons.xml": terminals(unit),
     "c_core/derived/unit/index.html": documentation_page(unit, template),
     "c_core/derived/unit/data.py": package_table(unit),
+    "c_core/derived/unit/classic_slip.json": json.dumps(table_of(pages[ClassicSlip]), indent=1) + "\n",
     "c_core/derived/unit/sources.txt": "\n".join([*sorted(places), ""]),
     "c_core/include/tdmf_slip/variables.h": declarations(unit),
 }

@@ -27,6 +27,7 @@ int main(void) {
 
     tdmf_page_defaults(page, parameters, states);
     tdmf_page_range(page, angle, &least, &most);
+    printf("library %s: ", tdmf_page_build());
     printf("touchdown_angle from %.4f to %.4f rad\n", least, most);
     parameters[parameter_of(page, "energy")] = 80.0 * 9.81 * 0.94 + 0.5 * 80.0 * 25.0;
     tdmf_page_scales(page, parameters, scales);

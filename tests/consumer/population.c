@@ -6,6 +6,28 @@
 
 enum { RUNNERS = 200, PROCESSORS = 2 };
 
+/* Two steps of the classic SLIP, side by side. */
+static bool classic_steps_cross(void) {
+    enum { STEPS = 2, ROOM = 64 };
+    static const double heights[STEPS] = {1.00, 1.05};
+    double parameters[ROOM], states[ROOM], ends[STEPS * ROOM];
+    tdmf_page_end outcomes[STEPS];
+    tdmf_page_map map = {.page = tdmf_page_named("classic_slip"),
+                         .parameters = parameters,
+                         .states = states,
+                         .tolerance = 1e-12,
+                         .longest = 1e3};
+    const tdmf_page_batch batch = {.map = &map,
+                                   .count = STEPS,
+                                   .points = heights,
+                                   .states = ends,
+                                   .ends = outcomes,
+                                   .threads = PROCESSORS};
+    tdmf_page_defaults(map.page, parameters, states);
+    return tdmf_page_strides(&batch) && outcomes[0].outcome == TDMF_PAGE_CROSSED &&
+           outcomes[1].outcome == TDMF_PAGE_CROSSED;
+}
+
 int main(void) {
     static const double gait[1][TDMF_POINT_LIMIT] = {
         {1.418508152745958, 1.0620047462715507, 0.9999993776846997, -0.5462532571145313, 0.0, 0.0}};
@@ -41,5 +63,5 @@ int main(void) {
         settled += ends[i].fate == TDMF_FATE_SETTLED;
     }
     printf("%d of %d runners are back on the gait\n", settled, RUNNERS);
-    return 0;
+    return classic_steps_cross() ? 0 : 1;
 }

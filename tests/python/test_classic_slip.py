@@ -13,10 +13,10 @@ import pytest
 from references import read
 from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
-from tdmf_slip import InputError, RunError
+from tdmf_slip import Batch, InputError, RunError
 from tdmf_slip.library import classic_slip
 from tdmf_slip.library.classic_slip import ENERGY, NO_SLIP, slip, step
-from tdmf_slip.library.page import PageMap
+from tdmf_slip.library.own_runs import seeds_of, strides_of
 
 MASS, STIFFNESS, LENGTH, GRAVITY = 80.0, 20000.0, 1.0, 9.81
 STEPS = read("classic_steps.json")
@@ -179,8 +179,7 @@ def test_random_steps_are_those_of_another_solver():
             *(pytest.approx(q, rel=1e-9, abs=1e-9) for q in quantities),
         ), number
         if not early:
-            run = PageMap("classic_slip", "at_apex", runner.parameters, seeds).run([height, energy])
-            columns = np.array([run.derivatives_of(name) for name in ("apex_height", "apex_energy")])
+            columns = Batch(runner, [height, energy]).stride(along=seeds).next_apex_by
             expected = np.array(values[8:]).T
             off = np.abs(columns - expected) / (1 + np.abs(expected).max(axis=1, keepdims=True))
             assert off.max() < 1e-8, number
@@ -202,17 +201,31 @@ def test_derivatives_are_those_of_differences(early):
     point, size = np.array([1.3, 4000.0]), 1e-6
     seeds = ["slope", "stiffness", "mass", "touchdown_angle", "retraction_rate", *["friction"] * early]
     names = ("apex_height", "apex_energy", "step_length")
-    run = PageMap("classic_slip", "at_apex", given, seeds).run(point)
-    assert run.crossed and run.states["left_early"] == early
+
+    def run(at, given):
+        runner = slip(given["touchdown_angle"], ground_slope=given["slope"], **without(given))
+        of = runner.model
+        made = strides_of(
+            of,
+            runner.parameters,
+            runner.states,
+            at[None],
+            tolerance=runner.tolerance,
+            seeds=seeds_of(of, seeds),
+        )
+        assert made.outcome[0] == 0 and made.states[0, of.state_numbers["left_early"]] == early
+        columns = [of.state_numbers[name] for name in names]
+        return made.states[0, columns], made.d_states[0][:, columns].T
+
+    def without(given):
+        return {name: value for name, value in given.items() if name not in ("touchdown_angle", "slope")}
 
     def ends(change, by):
         changed = given | ({change: given[change] * (1 + by)} if isinstance(change, str) else {})
         at = point if isinstance(change, str) else point * (1 + by * np.eye(2)[change])
-        states = PageMap("classic_slip", "at_apex", changed).run(at).states
-        return np.array([states[name] for name in names])
+        return run(at, changed)[0]
 
-    exact = np.array([run.derivatives_of(name) for name in names])
-    for column, change in zip(exact.T, [0, 1, *seeds], strict=True):
+    for column, change in zip(run(point, given)[1].T, [0, 1, *seeds], strict=True):
         by = given[change] if isinstance(change, str) else point[change]
         found = (ends(change, size) - ends(change, -size)) / (2 * size)
         assert column * by / [1, 4000, 1] == pytest.approx(found / [1, 4000, 1], abs=1e-6, rel=1e-5), change
@@ -317,13 +330,13 @@ def test_steps_that_cannot_begin_or_land():
     assert step(slip(math.radians(40), ground_slope=0.99), 1.3).outcome == "no start"
     assert step(slip(math.radians(80), retraction_rate=-20), 1.3).outcome == "falls"
     for name, value, allowed in [
-        ("mass", math.nan, "from 1e-09 to 1e\\+09"),
-        ("friction", -1, "from 0"),
-        ("ground_slope", 1.0, "from -1"),
-        ("retraction_rate", math.inf, "from -1e"),
+        ("mass", math.nan, "1e-09 to 1e\\+09 kg"),
+        ("friction", -1.0, "0 to 1e\\+09"),
+        ("ground_slope", 1.0, "-1 to 1"),
+        ("retraction_rate", math.inf, "-1e"),
     ]:
         shown = name.removeprefix("ground_")
-        with pytest.raises(InputError, match=f"{shown} = {value:g}; allowed: {allowed}"):
+        with pytest.raises(InputError, match=f"{shown} = {value} is not allowed; allowed: {allowed}"):
             slip(0.7, **{name: value})
     for height, energy in ((1.0, math.nan), (math.inf, ENERGY)):
         with pytest.raises(InputError, match="allowed: finite numbers"):

@@ -11,7 +11,8 @@ from references import read
 from runner_pages import section, word, world_of
 from scipy.integrate import solve_ivp
 from scipy_strides import Stride, torque_of_gains
-from tdmf_slip.library.page import PageMap
+from tdmf_slip import find_gait
+from tdmf_slip.library.own_model import package_model
 
 from c_core.hybrid import parameter, sin
 from c_core.pages.runner import PlainRunner
@@ -247,11 +248,10 @@ def test_a_running_biped_is_the_classic_slip_on_alternate_legs(biped):
     at = biped.section("above_foot", **RUNNING, **TIGHT)
     at.after(at.fixed_point([0.9, 0.0]), varies=True)
     given = {"energy": 1800.0, "touchdown_angle": np.radians(22), "stiffness": 20000.0}
-    slip = PageMap("classic_slip", "at_energy", given)
-    apex = slip.fixed_point([at.state("apex_height") + 1e-3])
-    assert apex == pytest.approx([at.state("apex_height")], abs=1e-11)
-    slope = slip.run(apex).derivatives_of("apex_height")[0]
-    assert spectrum(at.jacobian) == pytest.approx([slope, 0], abs=1e-9)
+    guess = [at.state("apex_height") + 1e-3]
+    gait = find_gait(package_model("classic_slip", "at_energy"), guess=guess, **given)
+    assert gait.apex == pytest.approx([at.state("apex_height")], abs=1e-11)
+    assert spectrum(at.jacobian) == pytest.approx([gait.jacobian[0, 0], 0], abs=1e-9)
 
 
 # ---- runners with laws of their own: gains in stance, and a clock with Raibert's law -------------------

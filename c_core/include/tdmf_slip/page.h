@@ -18,6 +18,10 @@ extern "C" {
 /* A model. Programs only hold pointers to it. */
 typedef struct tdmf_page tdmf_page;
 
+/* Returns the identity of the library that `tdmf-slip build` has made of a page: another page, compiled text
+ * or version has another. In the package's library it is "package". */
+TDMF_API const char *tdmf_page_build(void);
+
 /* Returns the model with a name: "classic_slip" or "reduced_runner", or, in a library that `tdmf-slip build`
  * has made, the name of its page. Returns NULL for any other name. */
 TDMF_API const tdmf_page *tdmf_page_named(const char *name);

@@ -12,6 +12,7 @@ descent has gained. `step` goes on without.
 """
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import Literal
@@ -19,9 +20,17 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..errors import RunError
-from .page import PageMap
+from ..errors import InputError, RunError
+from ..variables.variable import Given
+from .binding import c, ffi
+from .own_model import package_model
+from .own_runner import OwnRunner
+from .own_runs import OwnStrides, seeds_of, strides_of
 
+TOLERANCE = 1e-14
+"""Relative tolerance of the solver."""
+LONGEST = 1e6
+"""Time to the next apex at the most, s."""
 ENERGY = 6000.0
 """E0 of the paper, J."""
 NO_SLIP = 1e9
@@ -106,26 +115,59 @@ def slip(
     ground_slope: float = 0.0,
     retraction_rate: float = 0.0,
     **parameters: float,
-) -> PageMap:
+) -> OwnRunner:
     """The paper's SLIP; further `parameters` have the names of the page."""
     given = {"touchdown_angle": angle, "slope": ground_slope, "retraction_rate": retraction_rate}
     given["friction"] = NO_SLIP if math.isinf(friction) else friction
-    return PageMap("classic_slip", "at_apex", given | parameters)
+    return _runner("at_apex", given | parameters)
 
 
-def step(slip: PageMap, height: float, energy: float = ENERGY) -> Step:
+def _runner(section: str, given: Mapping[str, Given]) -> OwnRunner:
+    return OwnRunner(given, model=package_model("classic_slip", section), tolerance=TOLERANCE)
+
+
+def _strides(runner: OwnRunner, heights: ArrayLike, energy: float, until: float = LONGEST) -> OwnStrides:
+    """Runs from apices to the next, or until a time, s, after the start."""
+    of_height = np.atleast_1d(np.asarray(heights, float))
+    return strides_of(
+        runner.model,
+        runner.parameters,
+        runner.states,
+        np.column_stack([of_height, np.full(len(of_height), energy)]),
+        tolerance=runner.tolerance,
+        longest=until,
+        seeds=seeds_of(runner.model, []),
+    )
+
+
+def step(slip: OwnRunner, height: float, energy: float = ENERGY) -> Step:
     """One step of the return map."""
-    run = slip.run([height, energy])
-    at = run.states
-    outcome = (FLIES if at["vx"] > 0.0 else TURNS_BACK) if run.crossed else _ENDS[run.mode]
-    if outcome == "slides" and slip.parameters["friction"] == NO_SLIP:
+    return steps(slip, height, energy)[0]
+
+
+def steps(slip: OwnRunner, heights: ArrayLike, energy: float = ENERGY) -> list[Step]:
+    """Steps of the return map from apices of one energy."""
+    made = _strides(slip, heights, energy)
+    refused = made.points[made.ends["outcome"] == c.TDMF_PAGE_REFUSED].tolist()
+    if refused:
+        raise InputError(f"height and energy of an apex: {refused[0]}; allowed: finite numbers")
+    slopes = made.next_points_by[:, 0, 0].tolist()
+    rows = zip(made.ends, made.states.tolist(), slopes, strict=True)
+    return [_step(slip, end, states, slope) for end, states, slope in rows]
+
+
+def _step(slip: OwnRunner, end: np.void, states: list[float], slope: float) -> Step:
+    at, modes = dict(zip(slip.model.state_numbers, states, strict=True)), slip.model.table["modes"]
+    crossed = end["outcome"] == c.TDMF_PAGE_CROSSED
+    outcome = (FLIES if at["vx"] > 0.0 else TURNS_BACK) if crossed else _ENDS[modes[end["mode"]][0]]
+    if outcome == "slides" and slip["friction"] == NO_SLIP:
         outcome = "falls"
-    ahead = at if run.crossed else dict.fromkeys(at, math.nan)
+    ahead = at if crossed else dict.fromkeys(at, math.nan)
     return Step(
         outcome,
         touchdown_time=at["touchdown_time"],
         stance_time=at["stance_time"],
-        time=run.time,
+        time=float(end["time"]),
         early_take_off=bool(at["left_early"]),
         stance_friction=at["stance_friction"],
         impact_friction=at["impact_friction"],
@@ -134,26 +176,27 @@ def step(slip: PageMap, height: float, energy: float = ENERGY) -> Step:
         next_speed=ahead["vx"],
         next_energy=ahead["apex_energy"],
         foot=(at["foot_x"], at["foot_y"]),
-        slope=float(run.derivatives_of("apex_height")[0]),
+        slope=slope,
     )
 
 
-def path(slip: PageMap, height: float, times: ArrayLike, energy: float = ENERGY) -> NDArray[np.float64]:
+def path(slip: OwnRunner, height: float, times: ArrayLike, energy: float = ENERGY) -> NDArray[np.float64]:
     """Position of the mass relative to the foot, and velocity, at times after an apex: a row for each."""
     x, y = step(slip, height, energy).foot
-    runs = [slip.run([height, energy], time).states for time in np.atleast_1d(times)]
-    return np.array([(at["x"] - x, at["y"] - y, at["vx"], at["vy"]) for at in runs]).T
+    states = [_strides(slip, height, energy, time).states[0] for time in np.atleast_1d(times)]
+    columns = [slip.model.state_numbers[name] for name in ("x", "y", "vx", "vy")]
+    return np.array(states)[:, columns].T - [[x], [y], [0.0], [0.0]]
 
 
-def highest(slip: PageMap, energy: float = ENERGY) -> float:
+def highest(slip: OwnRunner, energy: float = ENERGY) -> float:
     """Apex height, m, at which all energy, J, is potential."""
-    return energy / (slip.parameters["mass"] * slip.parameters["gravity"])
+    return energy / (slip["mass"] * slip["gravity"])
 
 
-def heights(slip: PageMap, count: int, energy: float = ENERGY) -> NDArray[np.float64]:
+def heights(slip: OwnRunner, count: int, energy: float = ENERGY) -> NDArray[np.float64]:
     """`count` apex heights, m, between that with the foot on the ground and the highest, both left out."""
-    angle, slope = slip.parameters["touchdown_angle"], slip.parameters["slope"]
-    low = slip.parameters["free_length"] * (math.cos(angle) + math.sin(angle) * math.tan(slope))
+    angle, slope = slip["touchdown_angle"], slip["slope"]
+    low = slip["free_length"] * (math.cos(angle) + math.sin(angle) * math.tan(slope))
     return np.linspace(low, highest(slip, energy), count + 2)[1:-1]
 
 
@@ -169,13 +212,12 @@ def fixed_points(
     runner = slip(angle, **given)
     found: list[FixedPoint] = []
     tried = heights(runner, int(highest(runner, energy) / SPACING), energy)
-    steps = [step(runner, height, energy) for height in tried]
-    at_energy = PageMap("classic_slip", "at_energy", {**runner.parameters, "energy": energy})
-    for (low, before), (high, after) in pairwise(zip(tried, steps, strict=True)):
+    at_energy = _runner("at_energy", {**runner, "energy": energy})
+    for (low, before), (high, after) in pairwise(zip(tried, steps(runner, tried, energy), strict=True)):
         crosses = (before.next_height - low) * (after.next_height - high) <= 0.0
         if before.outcome == FLIES and after.outcome == FLIES and crosses:
-            height = at_energy.fixed_point(0.5 * (low + high))
-            if height is not None:
+            height = np.array([0.5 * (low + high)])
+            if c.tdmf_page_fixed_point(at_energy.request.map, ffi.from_buffer("double[]", height)):
                 found.append(_fixed_point(runner, float(height[0]), energy))
     return found
 
@@ -214,8 +256,8 @@ def _fold(guess: NDArray[np.float64], energy: float, given: dict[str, float]) ->
     return point
 
 
-def _fixed_point(runner: PageMap, height: float, energy: float) -> FixedPoint:
-    made, given = step(runner, height, energy), runner.parameters
+def _fixed_point(runner: OwnRunner, height: float, energy: float) -> FixedPoint:
+    made, given = step(runner, height, energy), runner
     return FixedPoint(
         given["touchdown_angle"],
         height,

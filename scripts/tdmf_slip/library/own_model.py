@@ -5,7 +5,7 @@ import os
 import threading
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cache, cached_property
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any
@@ -16,10 +16,11 @@ from numpy.typing import NDArray
 from ..builds import FOLDER, TABLE, host
 from ..checks import is_one_of, path_of, shown
 from ..errors import InputError, reason
+from ..variables import data
 from ..variables.table import ALIASES, BUILDS, MODELS, OWN_MODELS, Model, Quantity, Variables
 from ..variables.variable import Value, Variable
 from ..version import __version__
-from .binding import ffi, text_of
+from .binding import c, ffi, text_of
 
 WORD, LIFTOFF = "stride.word", "hip.liftoff_angle"
 """Names in a unit of a stride's word and of the leg's angle at lift-off."""
@@ -39,8 +40,8 @@ _lock = threading.Lock()
 class OwnModel(Model):
     """A model of one's own, as `load_model` gives it. As a runner it stands for the page's own values."""
 
-    folder: Path
-    """The folder of the build."""
+    folder: Path | None
+    """The folder of the build; None for a page of the package."""
     section: int
     """Number of the section of its return map; -1 for a page without one."""
     table: Mapping[str, Any]
@@ -51,7 +52,9 @@ class OwnModel(Model):
     """The model as its library's `tdmf_page *`."""
 
     def __reduce__(self) -> tuple[Any, tuple[str, str | None]]:
-        """Pickle by the folder, which the other process has to have."""
+        """Pickle by the folder, which the other process has to have, or by the name in the package."""
+        if self.folder is None:
+            return package_model, (self.name, self.section_name)
         return _unpickled, (str(self.folder), self.section_name)
 
     def __repr__(self) -> str:
@@ -75,13 +78,15 @@ class OwnModel(Model):
     @property
     def build(self) -> str:
         """The identity of the build, and the section of the return map."""
+        if self.folder is None:
+            return ""
         return " ".join([self.table["id"], *([self.section_name] if self.section_name else [])])
 
     @property
     def unit(self) -> Path:
         """The file of the FMI 2.0 unit that the build made."""
-        path = self.folder / f"{self.table['name']}.fmu"
-        if not path.is_file():
+        path = None if self.folder is None else self.folder / f"{self.table['name']}.fmu"
+        if path is None or not path.is_file():
             raise InputError(
                 f"model {self.name}: {self.folder} has no unit; allowed: a build with its units "
                 "(without unit=False, --no-unit), or trajectory, which needs none"
@@ -208,7 +213,7 @@ class OwnModel(Model):
 
     def check_current(self) -> None:
         """Refuse to go on with a library that was built anew meanwhile."""
-        if _identity(self.folder)["id"] != self.table["id"]:
+        if self.folder is not None and _identity(self.folder)["id"] != self.table["id"]:
             raise InputError(
                 f"model {self.name}: {self.folder} was built anew while it was loaded; "
                 "load it again by load_model"
@@ -266,11 +271,19 @@ def load_model(path: str | os.PathLike[str], *, section: str | None = None) -> O
     with _lock:
         key = folder, str(table["id"]), str(number)
         if key not in _loaded:
-            _loaded[key] = _model(folder, table, number)
+            _loaded[key] = _model(folder, table, number, _library(folder, table))
         model = _loaded[key]
         OWN_MODELS[model.name] = model
         BUILDS[model.build] = model
         return model
+
+
+@cache
+def package_model(name: str, section: str) -> OwnModel:
+    """A page of the package's library, of which the package has the table, as a model."""
+    table = json.loads(Path(data.__file__).with_name(f"{name}.json").read_text(encoding="utf-8"))
+    number = [of["name"] for of in table["sections"]].index(section)
+    return _model(None, table, number, c)
 
 
 def _text(code: float, letters: str) -> str:
@@ -300,8 +313,7 @@ def _identity(folder: Path) -> Mapping[str, Any]:
     return table
 
 
-def _model(folder: Path, table: Mapping[str, Any], section: int) -> OwnModel:
-    library = _library(folder, table)
+def _model(folder: Path | None, table: Mapping[str, Any], section: int, library: Any) -> OwnModel:
     page = library.tdmf_page_named(table["c_name"].encode())
     quantities = [*table["parameters"], *(s for s in table["states"] if s["role"] in ("input", "start"))]
     variables = {of["public"]: _variable(of) for of in quantities}
