@@ -13,6 +13,7 @@ from tdmf_slip import InputError
 from tdmf_slip.library.batch import ACCURACY
 from tdmf_slip.library.return_map import stride_from
 from tdmf_slip.viable_sets import grid
+from tdmf_slip.viable_sets import viability as viability_sets
 from tdmf_slip.viable_sets.grid import starts_at
 from tdmf_slip.viable_sets.viability import point_of
 
@@ -271,6 +272,20 @@ def test_the_dataset_has_shares_and_pairs(found):
     nothing = tdmf_slip.viability(STICKING, axes=axes, vary={ANGLE: (0.0, 0.5, 4)}, n=5)
     assert not pairs_of(nothing, 1).any() and nothing.outer_share == 0.0
     assert tdmf_slip.ViableController(nothing).grade_at([0.1, 0.1]) == "not viable"
+
+
+def test_strides_are_kept_once(monkeypatch):
+    images, boxes_of = [], viability_sets.boxes_of
+
+    def seen(grid, of, *given, **named):
+        images[:] = of
+        return boxes_of(grid, of, *given, **named)
+
+    monkeypatch.setattr(viability_sets, "boxes_of", seen)
+    actions = {"hip.touchdown_angle": (0.3, 1.1, 3)}
+    made = tdmf_slip.viability(axes={"com_height": (1.0, 2.0), "com_speed": (0.6, 1.6)}, vary=actions, n=4)
+    for image, name in zip(images, ("next_com_height", "next_com_speed"), strict=True):
+        assert np.shares_memory(image, made[name].values)
 
 
 def test_a_file_is_gone_on_with(found, tmp_path, monkeypatch):

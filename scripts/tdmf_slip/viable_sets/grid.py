@@ -254,12 +254,17 @@ class Boxes:
 
 
 def boxes_of(
-    grid: Grid, images: NDArray[np.float32], scales: NDArray[np.float64], factor: float, *, inner: bool
+    grid: Grid,
+    images: Sequence[NDArray[np.float32]],
+    scales: NDArray[np.float64],
+    factor: float,
+    *,
+    inner: bool,
 ) -> Boxes:
     """Enclose the images of pairs in boxes of cells; pairs whose image leaves the grid are left out.
 
-    Images are the next coordinates of strides from corners, shape (2, nodes, nodes, actions), NaN where a
-    stride did not close.
+    Images are both next coordinates of strides from corners, each of shape (nodes, nodes, actions), NaN where
+    a stride did not close.
     """
     rows, columns = grid.cells
     at_once = max(1, PAIRS_AT_ONCE // (columns * grid.action_count))
@@ -278,14 +283,15 @@ def boxes_of(
 
 def _block(
     grid: Grid,
-    images: NDArray[np.float32],
+    images: Sequence[NDArray[np.float32]],
     rows: range,
     factor: float,
     off: NDArray[np.float64],
     inner: bool,
 ) -> Boxes:
     """Boxes of the cells of some rows; `off` is the largest error of an image."""
-    corners = _corners(images[:, rows.start : rows.stop + 1])
+    around = _around(images, rows)
+    corners = _corners(around[:, 1:-1, 1:-1])
     there = [np.isfinite(image[0]).astype(np.int8) for image in corners]
     found = np.asarray(sum(there), np.int8)
     known = np.maximum(found, 1)
@@ -293,7 +299,7 @@ def _block(
     middle = np.asarray(total, float) / known
     upper = np.stack([there[2] + there[3], there[1] + there[3]]) / known
     shares = np.maximum(upper, 1.0 - upper)  # the larger share of the corners on a side of each axis
-    by_row, by_column = _largest_differences(images, rows)  # derivatives times sides
+    by_row, by_column = _largest_differences(around)  # derivatives times sides
     half = factor * (by_row * shares[0] + by_column * shares[1]) + off
     with np.errstate(invalid="ignore"):
         low, high = (
@@ -322,14 +328,16 @@ def _corners(of_nodes: NDArray[np.float32]) -> list[NDArray[np.float32]]:
     return [of_nodes[:, rows, columns] for rows in sides for columns in sides]
 
 
-def _largest_differences(
-    images: NDArray[np.float32], rows: range
-) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+def _around(images: Sequence[NDArray[np.float32]], rows: range) -> NDArray[np.float32]:
+    """Images from the corners of some rows of cells and from the nodes around these, NaN beyond the grid."""
+    first, last = max(0, rows.start - 1), min(len(images[0]), rows.stop + 2)
+    beside = (first - rows.start + 1, rows.stop + 2 - last), (1, 1), (0, 0)
+    return np.stack([np.pad(image[first:last], beside, constant_values=np.nan) for image in images])
+
+
+def _largest_differences(around: NDArray[np.float32]) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
     """Largest differences of images along both axes, at and next to each cell's sides; NaN for none."""
-    first, last = max(0, rows.start - 1), min(images.shape[1], rows.stop + 2)
-    beside = (first - rows.start + 1, rows.stop + 2 - last), (1, 1)
-    around = np.pad(images[:, first:last], ((0, 0), *beside, (0, 0)), constant_values=np.nan)
-    count, across = len(rows), images.shape[2] - 1
+    count, across = around.shape[1] - 3, around.shape[2] - 3
     down, right = (np.abs(np.diff(around, axis=axis)) for axis in (1, 2))
     near = [(three, side) for three in range(3) for side in (1, 2)]
     by_row = (down[:, three : three + count, side : side + across] for three, side in near)

@@ -288,7 +288,7 @@ def _with_sets(
 ) -> xarray.Dataset:
     """Dataset of the transitions and both sets."""
     over, flat = tuple(grid.edges), (*grid.nodes, grid.action_count)
-    images = np.stack([data[f"next_{axis}"].values.reshape(flat) for axis in grid.edges])
+    images = [data[f"next_{axis}"].values.reshape(flat) for axis in grid.edges]
     scales = runner.scales[grid.columns(runner)]
     attributes: dict[str, Any] = {"factor": factor}
     levels = np.zeros((*grid.cells, grid.action_count), np.int8)
