@@ -94,10 +94,10 @@ def with_full_disk(tmp_path_factory):
 @POSIX_ONLY
 def test_a_full_disk_is_told_and_nothing_is_left(writer, with_full_disk):
     status, text, folder = with_full_disk["figures"]
-    assert status == 2 and "cannot be written: File too large" in text, text
+    assert status == 1 and "cannot be written: File too large" in text, text
     assert not any((folder / "figures").iterdir())
     status, text, folder = with_full_disk[writer]
-    assert status == 2, text
+    assert status == 1, text
     said = [line for line in text.splitlines() if line.startswith("tdmf-slip: ")]
     name = f"{file_of(writer, 'result')}: cannot be written: File too large"  # the user's, no temporary one
     assert len(said) == 1 and f"tdmf-slip: {name}" in said[0], text

@@ -5,6 +5,7 @@ import hashlib
 import itertools
 import json
 import pathlib
+import sys
 from dataclasses import replace
 from fractions import Fraction
 
@@ -12,7 +13,7 @@ import numpy as np
 import pytest
 import tdmf_slip
 from conftest import CLAMPED
-from tdmf_slip.errors import InputError
+from tdmf_slip.errors import InputError, RunError
 
 pytest.importorskip("flint")
 
@@ -20,7 +21,7 @@ from tdmf_slip.library.members import MOVING
 from tdmf_slip.proof.given import gait_of
 from tdmf_slip.proof.parameters import Parameters
 from tdmf_slip.proof.range_proof import Subinterval
-from tdmf_slip.proof.range_prover import RangeProver, proved_subinterval
+from tdmf_slip.proof.range_prover import RangeProver, _write, proved_subinterval
 
 DOCUMENTATION = pathlib.Path(__file__).parents[2] / "documentation"
 TABLE = DOCUMENTATION / "data/proved_friction.jsonl"
@@ -33,6 +34,31 @@ def span(tmp_path_factory):
     file = tmp_path_factory.mktemp("range") / "range.jsonl"
     given = {"ground.friction": "10"}
     return tdmf_slip.prove(given, vary={"ground.friction": ("10", "10.04")}, output=file), file
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="the limit of a file's size is one of POSIX")
+def test_a_full_disk_leaves_a_file_of_parts_as_it_was(tmp_path):
+    import resource
+
+    file, head, part = (
+        tmp_path / "range.jsonl",
+        {"version": "1", "vary": "x" * 50},
+        (Fraction(0), Fraction(1)),
+    )
+    limits = resource.getrlimit(resource.RLIMIT_FSIZE)
+    try:
+        resource.setrlimit(resource.RLIMIT_FSIZE, (100, limits[1]))
+        with pytest.raises(RunError, match=r"range\.jsonl: cannot be written: File too large"):
+            _write(file, head, part, [])
+        assert not file.exists()
+        resource.setrlimit(resource.RLIMIT_FSIZE, (200, limits[1]))
+        _write(file, head, part, [])
+        whole = file.read_bytes()
+        with pytest.raises(RunError, match="cannot be written"):
+            _write(file, head, (Fraction(1), Fraction(2)), [Subinterval(Fraction(1), Fraction(2))])
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, limits)
+    assert file.read_bytes() == whole and whole.endswith(b"\n")
 
 
 def test_a_whole_range_is_proved_by_subdivision(span):
@@ -57,6 +83,8 @@ def test_a_proof_of_a_range_goes_on_from_its_file(span):
         tdmf_slip.prove({"ground.friction": "10"}, vary=vary, output=file).subintervals == proof.subintervals
     )
     assert file.read_text(encoding="utf-8") == text
+    with pytest.raises(InputError, match="there is no folder"):
+        tdmf_slip.prove(vary=vary, output=file.parent / "none" / "range.jsonl")
     with pytest.raises(InputError, match="not of this range"):
         tdmf_slip.prove(vary={"ground.friction": ("10", "10.1")}, output=file)
 

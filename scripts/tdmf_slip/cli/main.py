@@ -1,7 +1,8 @@
 """The command `tdmf-slip`: its group of commands, and its exit status.
 
 Results go to stdout (with --json one JSON object and nothing else), progress and messages to stderr. Exit
-status 0: done; 1: a run failed, or a gait drifted from its reference; 2: the request is not possible.
+status 0: done; 1: a run failed, a file could not be written, or a gait drifted from its reference; 2: the
+request is not possible.
 """
 
 import contextlib

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..errors import InputError
+from ..errors import InputError, RunError
 from .whole import check_folder
 
 if TYPE_CHECKING:
@@ -118,10 +118,10 @@ class Resumed:
             file = self.folder / f"{secrets.token_hex(8)}.nc"
             try:
                 write_dataset(file, part)
-            except InputError as problem:  # as on a full disk
+            except RunError as problem:  # as on a full disk
                 with contextlib.suppress(OSError):  # blocks that were done stay
                     self.folder.rmdir()
-                raise InputError(f"{self.path}{str(problem).removeprefix(str(file))}") from problem
+                raise RunError(f"{self.path}{str(problem).removeprefix(str(file))}") from problem
 
     def finish(self, data: "xarray.Dataset", groups: "Mapping[str, xarray.Dataset] | None" = None) -> None:
         """Write the result, with further datasets in groups of the file; the blocks go."""

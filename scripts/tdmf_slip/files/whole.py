@@ -13,7 +13,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from ..checks import path_of
-from ..errors import InputError, reason
+from ..errors import InputError, RunError, reason
 from ..uninterrupted import uninterrupted
 
 LONGEST_CELL = 100
@@ -72,13 +72,13 @@ def whole(path: Path) -> Iterator[Path]:
     """A path to write to, beside `path` and with its suffix; moved to `path` at the end, gone after an error.
 
     Where `path` is a symbolic link, its target is written. A file that is replaced hands on its mode and its
-    owner.
+    owner. Raises RunError where the file cannot be written, as on a full disk.
     """
     resolved = destination(path, str(path))
     try:
         beside = _created(resolved, path.suffix)
     except OSError as problem:
-        raise InputError(f"{path}: cannot be written: {problem.strerror}") from problem
+        raise not_written(path, problem) from problem
     try:
         yield beside
         _flush(beside, os.O_RDWR)
@@ -87,9 +87,14 @@ def whole(path: Path) -> Iterator[Path]:
         if os.name == "posix":  # elsewhere a folder cannot be opened
             _flush(resolved.parent, os.O_RDONLY)
     except OSError as problem:
-        raise InputError(f"{path}: cannot be written: {problem.strerror or problem}") from problem
+        raise not_written(path, problem) from problem
     finally:
         beside.unlink(missing_ok=True)
+
+
+def not_written(path: Path, problem: OSError) -> RunError:
+    """The error about a file that could not be written, as on a full disk, though it was allowed."""
+    return RunError(f"{path}: cannot be written: {problem.strerror or problem}")
 
 
 def write_whole(path: Path, write: Callable[[Path], object]) -> None:
@@ -156,10 +161,10 @@ def destination(path: Path, what: str) -> Path:
     return resolved
 
 
-def check_destination(path: Path | str, allowed: Iterable[str], what: str) -> Path:
-    """Refuse, before any work, a path whose suffix names no format or that cannot be written."""
+def check_destination(path: Path | str, allowed: Iterable[str] | None, what: str) -> Path:
+    """Refuse, before any work, a path that cannot be written, or whose suffix names none of some formats."""
     path = path_of(path, what, "the path of a file")
-    if path.suffix.lower() not in allowed:
+    if allowed is not None and path.suffix.lower() not in allowed:
         raise InputError(f"{what}: {path}: format {path.suffix or '(none)'}; allowed: {', '.join(allowed)}")
     resolved = destination(path, f"{what}: {path}")
     if not resolved.parent.is_dir():

@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 import math
-import os
 from collections.abc import Mapping, Sequence
 from concurrent.futures import Executor
 from fractions import Fraction
+from pathlib import Path
 from typing import overload
 
 import numpy as np
 from flint import acb, arb, ctx
 
-from ..checks import checked_whole, path_of
+from ..checks import checked_whole
 from ..errors import InputError
+from ..files.whole import check_destination
 from ..library.gait import Gait
 from ..library.members import pairs_varied
 from ..library.runner import Runner
@@ -59,7 +60,7 @@ def prove(
     gait: RunnerLike = ...,
     *,
     vary: Mapping[str, tuple[Radius, Radius]],
-    output: str | os.PathLike[str] | None = ...,
+    output: str | Path | None = ...,
     executor: Executor | None = ...,
     progress: bool = ...,
 ) -> RangeProof: ...
@@ -72,7 +73,7 @@ def prove(
     box: Radius | None = None,
     digits: int = DEFAULT_DIGITS,
     vary: Mapping[str, tuple[Radius, Radius]] | None = None,
-    output: str | os.PathLike[str] | None = None,
+    output: str | Path | None = None,
     executor: Executor | None = None,
     progress: bool = False,
 ) -> Proof | RangeProof:
@@ -124,7 +125,7 @@ def prove(
     """
     if vary is not None:
         if box is not None:
-            raise InputError("box: with vary it is chosen by itself; allowed: without vary")
+            raise InputError("box: a range chooses its own boxes; allowed: without vary")
         return _over(gait, vary, output, executor, progress)
     if output is not None or executor is not None:
         raise InputError("output and executor are for a range only; allowed: with vary")
@@ -144,7 +145,7 @@ def prove_exactly(
 def _over(
     gait: RunnerLike,
     vary: Mapping[str, tuple[Radius, Radius]],
-    output: str | os.PathLike[str] | None,
+    output: str | Path | None,
     executor: Executor | None,
     progress: bool,
 ) -> RangeProof:
@@ -158,8 +159,8 @@ def _over(
         raise InputError(f"vary: {name} from {begin} to {end}; allowed: a range from less to more")
     if gait is None or (isinstance(gait, Mapping) and not isinstance(gait, Runner)):
         gait = {name: begin, **by_full_name(gait, "gait", RUNNER)}
+    path = None if output is None else check_destination(output, None, "output")
     found, values = gait_of(gait)
-    path = None if output is None else path_of(output, "output", "the path of a file")
     return prove_range(found, values, name, (begin, end), output=path, executor=executor, progress=progress)
 
 

@@ -8,6 +8,7 @@ in the width.
 import itertools
 import json
 import math
+import os
 import threading
 from collections.abc import Iterator, Mapping, Sequence
 from concurrent.futures import Executor
@@ -23,6 +24,7 @@ from numpy.typing import NDArray
 from ..analysis.search import periodic_gait
 from ..blocks import InTurn
 from ..errors import InputError, RunError
+from ..files.whole import not_written
 from ..library.fixed_point import gait_near
 from ..library.gait import Gait
 from ..library.runner import Runner
@@ -258,7 +260,8 @@ def _write(
 ) -> None:
     if output is None:
         return
-    lines: list[object] = [] if output.exists() else [head]
+    size = output.stat().st_size if output.exists() else 0
+    lines: list[object] = [] if size else [head]
     lines.append(
         {
             "version": head["version"],
@@ -266,5 +269,11 @@ def _write(
             "pieces": [subinterval.as_row() for subinterval in subintervals],
         }
     )
-    with output.open("a", encoding="utf-8") as file:
-        file.write("".join(f"{json.dumps(line)}\n" for line in lines))
+    try:
+        with output.open("a", encoding="utf-8") as file:
+            file.write("".join(f"{json.dumps(line)}\n" for line in lines))
+    except OSError as problem:  # as on a full disk
+        os.truncate(output, size)
+        if not size:
+            output.unlink()
+        raise not_written(output, problem) from problem
