@@ -77,6 +77,8 @@ def path_of(given: object, what: str, allowed: str) -> Path:
 
 def number_of(given: object, unit: str = "") -> float | None:
     """The real number that an argument is, or None. A duration is converted to seconds if the unit is s."""
+    if type(given) is float:
+        return given
     try:
         if getattr(given, "ndim", None) == 0 and not np.ma.is_masked(given):
             given = np.asarray(given)[()]  # also of a DataArray

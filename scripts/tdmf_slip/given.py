@@ -41,8 +41,8 @@ MAX_ROW = 10_000_000
 
 def mapping_of(given: object, what: str, allowed: str) -> dict[Any, Any]:
     """Values by name, as a new dictionary."""
-    if given is None:
-        return {}
+    if given is None or type(given) is dict:
+        return dict(given or {})
     with reading(what, given, allowed):
         if isinstance(given, Mapping):
             return dict(given)

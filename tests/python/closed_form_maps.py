@@ -56,7 +56,7 @@ class MapProblem(BranchProblem):
         gait, rows = self.describe(x)
         return gait.residual, rows
 
-    def word_at(self, x, exact=True):
+    def word_at(self, x, varied=True):
         return self.strides_at(x).word
 
     def beginning(self, value, guess, towards=1.0):

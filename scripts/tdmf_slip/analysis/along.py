@@ -32,14 +32,15 @@ def gaits_over(
     check_is_gait(first, "first")
     row = row_of(values, "values", f"a row of values of {name}")
     problem = BranchProblem(runner, name, first.strides)
-    for point in points_over(problem, problem.start(first, problem.towards(1.0)), row):
+    checked = (problem.runner.replace({name: value})[name] for value in row)
+    for point in points_over(problem, problem.start(first, problem.towards(1.0)), checked):
         yield point.gait
 
 
 def points_over(problem: BranchProblem, point: Point, values: Iterable[float]) -> Iterator[Point]:
     """The branch's point at each value, each from the one before; raises as `gaits_over` does."""
     for value in values:
-        point = to_value(problem, point, problem.runner.replace({problem.name: value})[problem.name])
+        point = to_value(problem, point, value)
         yield point
 
 

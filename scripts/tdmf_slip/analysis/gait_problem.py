@@ -27,8 +27,6 @@ COARSE, BORDER_ACCURACY = 1e-8, 1e-11
 """Lengths of branch, over the scales, within which a border is located: first by the words of plain strides,
 which may be others right beside it, then by those of strides with derivatives."""
 MAX_HALVINGS = 100
-DESCRIBED = 16
-"""Largest number of descriptions that are kept."""
 
 
 class GaitProblem(Problem):
@@ -61,7 +59,6 @@ class GaitProblem(Problem):
         if not self.quantities:
             self.scales[-len(names) :] = 2.0 ** np.round(np.log2(self.scales[-len(names) :]))
         self._closings: tuple[bytes, dict[str, Closing]] = b"", {}
-        self._described: dict[bytes, tuple[Gait, Matrix]] = {}
 
     @property
     def count(self) -> int:
@@ -113,7 +110,7 @@ class GaitProblem(Problem):
 
     def by_apex(self, x: Vector) -> tuple[Vector, Matrix]:
         """The residual, and its derivatives by the apex alone, shape (n, n)."""
-        residual, by_apex, _ = self._closing(x, self.names[0]).varied(x[: self.count])
+        residual, by_apex, _ = self._closing(x).varied(x[: self.count])
         return residual, by_apex
 
     def gait_at(self, x: Vector) -> Gait:
@@ -121,20 +118,9 @@ class GaitProblem(Problem):
         return gait_near(self.runner_at(x), self.apex_at(x))
 
     def describe(self, x: Vector) -> tuple[Gait, Matrix]:
-        """The strides from a point, whether they lead back to it or not, and the derivatives.
-
-        The last descriptions are kept, because a border is described again after its word was read.
-        """
-        key = x.tobytes()
-        if key not in self._described:
-            if len(self._described) == DESCRIBED:
-                self._described.clear()
-            self._described[key] = self._describe(x)
-        return self._described[key]
-
-    def _describe(self, x: Vector) -> tuple[Gait, Matrix]:
-        gait = strides_from(self.runner_at(x), self.apex_at(x), self.strides, along=self.names[0])
-        scales = self.scales[: self.count]
+        """The strides from a point, whether they lead back to it or not, and the derivatives."""
+        runner, scales = self._closing(x).runner, self.scales[: self.count]
+        gait = strides_from(runner, self.apex_at(x), self.strides, along=self.names[0])
         assert gait.by_parameter is not None
         further = [self._closing(x, name).varied(x[: self.count])[2] for name in self.names[1:]]
         columns = [gait.by_parameter / scales, *further]
@@ -145,17 +131,15 @@ class GaitProblem(Problem):
         """A gait as a point whose tangent goes along a direction."""
         return self.point(self.at(gait), along)
 
-    def word_at(self, x: Vector, exact: bool = True) -> str:
-        """The word of the strides from a point, as `describe` makes them or, if not exact, of plain strides.
+    def word_at(self, x: Vector, varied: bool = True) -> str:
+        """The word of the strides from a point, made with derivatives as those of `describe`, or plain.
 
         Plain strides take other steps, and right beside a border they may have another word.
         """
-        if exact:
-            return self.describe(x)[0].word
         closing, apex = self._closing(x), self.apex_at(x)
         words: list[str] = []
         for _ in range(self.strides):
-            stride = closing.stride(apex, False)
+            stride = closing.stride(apex, varied)
             apex, words = stride.next_points[0], [*words, str(stride.words[0])]
         return BETWEEN_WORDS.join(words)
 
@@ -169,12 +153,12 @@ class GaitProblem(Problem):
         normal = (outside - inside) / np.linalg.norm(outside - inside)
         planes = normal if across is None else np.array([across, normal])
 
-        def bisected(inside: Vector, outside: Vector, width: float, exact: bool) -> tuple[Vector, Vector]:
+        def bisected(inside: Vector, outside: Vector, width: float, varied: bool) -> tuple[Vector, Vector]:
             for _ in range(MAX_HALVINGS):
                 if (outside - inside) @ normal <= width:
                     break
                 x = self._between_on(inside, outside, planes, rows)
-                inside, outside = (x, outside) if self.word_at(x, exact) == word else (inside, x)
+                inside, outside = (x, outside) if self.word_at(x, varied) == word else (inside, x)
             return inside, outside
 
         near = bisected(inside, outside, COARSE, False)
@@ -197,15 +181,16 @@ class GaitProblem(Problem):
                 )
         return x
 
-    def _closing(self, x: Vector, along: str = "") -> Closing:
+    def _closing(self, x: Vector, along: str | None = None) -> Closing:
         """Equations at the values of the parameters; those at the last values are kept."""
+        along = along or self.names[0]
         values = x[-len(self.names) :].tobytes()
         if self._closings[0] != values:
             self._closings = values, {}
         known = self._closings[1]
         if along not in known:
             runner = next(iter(known.values())).runner if known else self.runner_at(x)
-            known[along] = Closing(runner, self.strides, along or None, self.scales[: self.count])
+            known[along] = Closing(runner, self.strides, along, self.scales[: self.count])
         return known[along]
 
 

@@ -292,21 +292,35 @@ class Runner(Mapping[str, Value]):
     ) -> "Strides":
         """One stride from an apex; with `is_reported` also its events and the measured quantities.
 
-        With `varied` it is differentiated by the coordinates, and along a direction if one is given.
+        With `varied` it is differentiated by the coordinates, and along a direction if one is given. What is
+        measured then comes from a plain stride, because its derivatives would take longer than that.
         """
         log = ffi.new("tdmf_event_log *") if is_reported else None
-        solver, point, made = self.solver(log), ffi.new("double[]", list(apex)), ffi.new("tdmf_return *")
-        request = self.stride_request(solver, point)
-        request.until, request.derivatives, request.measures = until, varied, is_reported
-        request.seeds = seed = seed_of(along if varied else None)
-        request.seed_count = seed != ffi.NULL
-        c.tdmf_run_stride(request, made)
+
+        def made(varied: bool, measures: bool, log: Any | None = None) -> NDArray[Any]:
+            solver, point, result = (
+                self.solver(log),
+                ffi.new("double[]", apex.tolist()),
+                ffi.new("tdmf_return *"),
+            )
+            request = self.stride_request(solver, point)
+            request.until, request.derivatives, request.measures = until, varied, measures
+            request.seeds = seed = seed_of(along if varied else None)
+            request.seed_count = seed != ffi.NULL
+            c.tdmf_run_stride(request, result)
+            return viewed(result, RETURN)
+
+        def measured() -> NDArray[Any]:
+            plain = made(False, True)
+            return plain if plain["outcome"][0] == c.TDMF_RETURN_CLOSED else made(True, True)
+
         return RunnerStrides(
-            viewed(made, RETURN),
-            np.asarray(apex, float)[None],
+            made(varied, is_reported and not varied, log),
+            apex[None],
             self.__getitem__,
             self.reduced,
             along=([] if along is None else [along]) if varied else None,
+            measured=measured if is_reported and varied else None,
             log=log,
         )
 

@@ -120,10 +120,12 @@ def strides_from(runner: Runner, apex: Apex, strides: int = 1, *, along: Along |
     refuse_patch(runner)
     check_has_gaits(runner)
     check_comes_down(runner)
-    made = [_stride(runner, checked_apex(apex, runner.coordinates), along)]
-    while len(made) < strides:
-        made.append(_stride(runner, made[-1][0], along))
-    return _joined([gait for _, gait in made], made[-1][0])
+    last, gait = _stride(runner, checked_apex(apex, runner.coordinates), along)
+    gaits = [gait]
+    while len(gaits) < strides:
+        last, gait = _stride(runner, last, along)
+        gaits.append(gait)
+    return gaits[0] if strides == 1 else _joined(gaits, last)
 
 
 def longest_stride(runner: Runner) -> float:
@@ -140,6 +142,7 @@ def _stride(
         raise RunError(why_not)
     jacobian, by_parameter = derivatives(runner, stride)
     values = {name: float(stride.quantity(name)[0]) for name in stride.names if name != "frequency"}
+    following: NDArray[np.float64] = stride.next_points[0]
     gait = Gait(
         runner=runner,
         apex=apex,
@@ -149,11 +152,17 @@ def _stride(
         jacobian=jacobian,
         along=along,
         by_parameter=None if along is None else by_parameter,
-        error=0.0,
+        error=_error(runner, following - apex),
         iterations=0,
         events=stride.events,
+        residual=following - apex,
     )
-    return stride.next_points[0], gait
+    return following, gait
+
+
+def _error(runner: Runner, residual: NDArray[np.float64]) -> float:
+    """Largest entry of a residual, over the scales."""
+    return float(np.max(np.abs(residual) / runner.scales))
 
 
 def _joined(gaits: Sequence[Gait], last_apex: NDArray[np.float64]) -> Gait:
@@ -172,7 +181,7 @@ def _joined(gaits: Sequence[Gait], last_apex: NDArray[np.float64]) -> Gait:
         stride=_together(first.runner, [gait.stride for gait in gaits]),
         jacobian=jacobian,
         by_parameter=by_parameter,
-        error=float(np.max(np.abs(residual) / first.runner.scales)),
+        error=_error(first.runner, residual),
         events=_events(gaits),
         following=tuple(gait.apex for gait in gaits[1:]),
         residual=residual,
@@ -181,8 +190,6 @@ def _joined(gaits: Sequence[Gait], last_apex: NDArray[np.float64]) -> Gait:
 
 def _together(runner: Runner, strides: Sequence[Mapping[str, float]]) -> dict[str, float]:
     """Quantities of strides in a row: sums, but for the largest, ratios, and those of the first apex."""
-    if len(strides) == 1:
-        return dict(strides[0])
     found = {name: sum(stride[name] for stride in strides) for name in strides[0]}
     distance = weight_of(runner) * found["length"] if "cost_of_transport" in found else 0.0
     greatest = ("peak_force", "peak_vertical_force", "greatest_foot_height", "greatest_slip_velocity")

@@ -6,6 +6,7 @@ does less is undone. So a search takes the damped steps of Newton's method, and 
 """
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any, Protocol, TypeAlias
 
 import numpy as np
@@ -43,10 +44,10 @@ class Iterate:
     iterations: int = 0
     """Number of steps until here."""
 
-    @property
+    @cached_property
     def error(self) -> float:
         """Largest residual."""
-        return float(np.max(np.abs(self.residual)))
+        return float(np.abs(self.residual).max())
 
 
 class NotSolvedError(RunError):
@@ -113,7 +114,7 @@ def _step(jacobian: Matrix, residual: Vector, longest: float) -> Vector:
         step: NDArray[Any] = np.linalg.solve(jacobian, -residual)
     else:
         step = np.linalg.lstsq(jacobian, -residual)[0]
-    length = float(np.max(np.abs(step)))
+    length = float(np.abs(step).max())
     return step * (longest / length) if length > longest else step
 
 
