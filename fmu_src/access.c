@@ -1,30 +1,85 @@
 /* Getting and setting variables. */
-#include "instance.h"
+#include "run.h"
 
-#include <math.h>
+#include <limits.h>
+#include <string.h>
 
-static const unsigned writable = BEFORE_START | RUNNING;
+/* ---- places of values ---------------------------------------------------------------------------------- */
 
-static const char *name_of_type(fmu_variable_type type) {
-    static const char *const names[] = {"Real (Float64)", "Integer (Int32)", "Enumeration", "Boolean",
-                                        "String"};
-    return names[number_of_bit(type)];
+/* Arrays of an instance by storage. */
+static const size_t places[STORAGE_COUNT] = {
+    [STORED_TIME] = offsetof(instance, run.time),
+    [STORED_PARAMETER] = offsetof(instance, run.motion.numbers),
+    [STORED_SETTING] = offsetof(instance, run.settings),
+    [STORED_INPUT] = offsetof(instance, run.motion.numbers),
+    [STORED_STATE] = offsetof(instance, run.motion.numbers),
+    [STORED_START] = offsetof(instance, run.starts),
+    [STORED_DERIVATIVE] = offsetof(instance, view.derivatives),
+    [STORED_OUTPUT] = offsetof(instance, view.outputs),
+    [STORED_HELD] = offsetof(instance, view.numbers),
+    [STORED_GUARD] = offsetof(instance, view.guards),
+};
+
+double *place_of(const instance *fmu, fmu_storage storage, size_t offset) {
+    return (double *)((size_t)fmu + places[storage]) + offset;
 }
 
-const fmu_variable *find_variable(const instance *instance, const char *call, uint32_t reference,
-                                  unsigned types) {
+/* True for a state without a start value, before the run: the start calculates it. */
+static bool follows_from_start(const instance *fmu, const fmu_variable *variable) {
+    return variable->storage == STORED_STATE && !variable->settable_before_start && !fmu->run.has_begun;
+}
+
+static bool is_in_view(const instance *fmu, const fmu_variable *variable) {
+    return variable->storage > STORED_START || follows_from_start(fmu, variable);
+}
+
+double number_of(const instance *fmu, const fmu_variable *variable) {
+    if (variable->storage == STORED_WORK) {
+        return fmin((double)fmu->run.work[variable->offset], INT_MAX);
+    }
+    const double value =
+        *place_of(fmu, follows_from_start(fmu, variable) ? STORED_HELD : variable->storage, variable->offset);
+    if (variable->type != VARIABLE_INTEGER || variable->storage <= STORED_START) {
+        return value;
+    }
+    const bool is_code = variable->maximum < INT_MAX; /* code of a word; a long word has none */
+    return is_code && !(value >= 0.0 && value <= variable->maximum) ? -1.0
+                                                                    : fmin(fmax(value, -INT_MAX), INT_MAX);
+}
+
+double *rate_of(const instance *fmu, const fmu_variable *input) {
+    const bool is_state = input->offset >= UNIT_PARAMETER_COUNT;
+    const int rate = is_state ? unit_input_rates[input->offset - UNIT_PARAMETER_COUNT] : -1;
+    return rate < 0 ? NULL : &states_of(fmu)[rate];
+}
+
+bool is_allowed(instance *fmu, const fmu_variable *variable, double value) {
+    char given[VALUE_CAPACITY];
+    const char *allowed = variable->allowed;
+    const bool has_unit = allowed != NULL && variable->unit != NULL;
+    return (value >= variable->minimum && value <= variable->maximum) ||
+           refuse(fmu, "%s = %s is refused: %s%s%s%s", variable->name, value_text(variable, value, given),
+                  allowed == NULL ? "it has to be finite" : "allowed ", allowed == NULL ? "" : allowed,
+                  has_unit ? " " : "", has_unit ? variable->unit : "");
+}
+
+const fmu_variable *find_variable(const instance *fmu, uint32_t reference, unsigned types) {
+    static const char *const names[] = {"Real (Float64)", "Integer (Int32)", "Enumeration", "Boolean",
+                                        "String"};
     if (reference >= fmu_variable_count) {
-        answer(instance, CALL_ERROR, call, "there is no value reference %lu", (unsigned long)reference);
+        answer(fmu, CALL_ERROR, "there is no value reference %lu", (unsigned long)reference);
         return NULL;
     }
     const fmu_variable *variable = &fmu_variables[reference];
     if ((variable->type & types) == 0) {
-        answer(instance, CALL_ERROR, call, "%s (value reference %lu) is of type %s", variable->name,
-               (unsigned long)reference, name_of_type(variable->type));
+        answer(fmu, CALL_ERROR, "%s (value reference %lu) is of type %s", variable->name,
+               (unsigned long)reference, names[number_of_bit(variable->type)]);
         return NULL;
     }
     return variable;
 }
+
+/* ---- getting ------------------------------------------------------------------------------------------ */
 
 void write_double(void *values, size_t i, double number) {
     ((double *)values)[i] = number;
@@ -34,162 +89,137 @@ double read_double(const void *values, size_t i) {
     return ((const double *)values)[i];
 }
 
-/* ---- getting ------------------------------------------------------------------------------------------ */
-
-/* True for a state without a start value, before the run: the start calculates it. */
-static bool follows_from_start(const instance *instance, const fmu_variable *variable) {
-    return variable->storage == STORED_STATE && !variable->settable_before_start && !instance->fmu.has_begun;
-}
-
-static call_status get_number(instance *instance, const char *call, unsigned types, uint32_t reference,
-                              double *value) {
-    const fmu_variable *variable = find_variable(instance, call, reference, types);
-    if (variable == NULL) {
+call_status get_numbers(instance *fmu, unsigned types, const uint32_t references[], size_t count,
+                        void *values, number_writer write) {
+    if (!ARE_GIVEN(fmu, count, references, values)) {
         return CALL_ERROR;
     }
-    call_status status = CALL_OK;
-    const bool calculated = follows_from_start(instance, variable);
-    const fmu_view *view =
-        variable->storage <= STORED_START && !calculated ? NULL : current_view(instance, call, &status);
-    if (status == CALL_OK) {
-        *value = calculated ? view->states[variable->offset] : fmu_get_number(&instance->fmu, view, variable);
-    }
-    return status;
-}
-
-call_status get_numbers(instance *instance, const char *call, unsigned types, const uint32_t references[],
-                        size_t count, void *values, number_writer write) {
-    call_status status =
-        MAY_BEGIN(instance, call, ANYWHERE, count, references, values) ? CALL_OK : CALL_ERROR;
-    for (size_t i = 0; i < count && status == CALL_OK; ++i) {
-        double value = 0.0;
-        status = get_number(instance, call, types, references[i], &value);
-        if (status == CALL_OK) {
-            write(values, i, value);
-        }
-    }
-    return status;
-}
-
-call_status get_texts(instance *instance, const char *call, const uint32_t references[], size_t count,
-                      const char *values[]) {
-    call_status status =
-        MAY_BEGIN(instance, call, ANYWHERE, count, references, values) ? CALL_OK : CALL_ERROR;
-    for (size_t i = 0; i < count && status == CALL_OK; ++i) {
-        const fmu_variable *variable = find_variable(instance, call, references[i], VARIABLE_STRING);
-        const fmu_view *view = variable == NULL ? NULL : current_view(instance, call, &status);
+    for (size_t i = 0; i < count; ++i) {
+        const fmu_variable *variable = find_variable(fmu, references[i], types);
         if (variable == NULL) {
-            status = CALL_ERROR;
-        } else if (view != NULL) {
-            values[i] = view->words[variable->offset];
+            return CALL_ERROR;
         }
+        if (is_in_view(fmu, variable) && !bring_view_up_to_date(fmu)) {
+            return CALL_DISCARD;
+        }
+        write(values, i, number_of(fmu, variable));
     }
-    return status;
+    return CALL_OK;
+}
+
+call_status get_texts(instance *fmu, const uint32_t references[], size_t count, const char *values[]) {
+    if (!ARE_GIVEN(fmu, count, references, values)) {
+        return CALL_ERROR;
+    }
+    for (size_t i = 0; i < count; ++i) {
+        const fmu_variable *variable = find_variable(fmu, references[i], VARIABLE_STRING);
+        if (variable == NULL) {
+            return CALL_ERROR;
+        }
+        if (!bring_view_up_to_date(fmu)) {
+            return CALL_DISCARD;
+        }
+        values[i] = word_text(fmu, variable->offset);
+    }
+    return CALL_OK;
 }
 
 /* ---- setting ------------------------------------------------------------------------------------------ */
 
-static bool is_settable_now(const instance *instance, const fmu_variable *variable) {
-    if (fmu_is_set_at_events(variable) && (instance->state & (EVENT_MODE | STEP_MODE)) != 0) {
+static bool is_settable_now(const instance *fmu, const fmu_variable *variable) {
+    const unsigned state = (unsigned)fmu->run.state;
+    if (fmu_is_set_at_events(variable) && (state & (EVENT_MODE | STEP_MODE)) != 0) {
         return true;
     }
     if (variable->storage == STORED_INPUT && variable->variability == VARIABILITY_CONTINUOUS) {
         return true;
     }
-    if (variable->storage == STORED_STATE && instance->state == CONTINUOUS_TIME_MODE) {
+    if (variable->storage == STORED_STATE && state == CONTINUOUS_TIME_MODE) {
         return true;
     }
-    if (variable->storage == STORED_STATE && instance->state == EVENT_MODE) {
-        return instance->interface == MODEL_EXCHANGE && !variable->changes_at_events;
+    if (variable->storage == STORED_STATE && state == EVENT_MODE) {
+        return is_exchange(fmu) && !variable->changes_at_events;
     }
-    return (instance->state & BEFORE_START) != 0 && variable->settable_before_start;
+    return (state & BEFORE_START) != 0 && variable->settable_before_start;
 }
 
 /* True for a setting that changes at events only, in continuous-time mode. A new value is ignored there,
  * because solvers of some importers set all inputs at each evaluation, to the values before an event. */
-static bool keeps_its_value(const instance *instance, const fmu_variable *variable) {
-    return instance->state == CONTINUOUS_TIME_MODE && fmu_is_set_at_events(variable);
+static bool keeps_its_value(const instance *fmu, const fmu_variable *variable) {
+    return fmu->run.state == CONTINUOUS_TIME_MODE && fmu_is_set_at_events(variable);
 }
 
 /* A state that is set in a run is a trial value of a solver. It may be outside the range of start values. */
-static bool is_trial(const instance *instance, const fmu_variable *variable) {
-    return variable->storage == STORED_STATE && (instance->state & BEFORE_START) == 0;
+static bool is_trial(const instance *fmu, const fmu_variable *variable) {
+    return variable->storage == STORED_STATE && (fmu->run.state & BEFORE_START) == 0;
 }
 
-static call_status check_set(const instance *instance, const char *call, unsigned types, uint32_t reference,
-                             double value) {
-    const fmu_variable *variable = find_variable(instance, call, reference, types);
+static call_status check_set(instance *fmu, unsigned types, uint32_t reference, double value) {
+    const fmu_variable *variable = find_variable(fmu, reference, types);
     if (variable == NULL) {
         return CALL_ERROR;
     }
-    if (keeps_its_value(instance, variable)) {
+    if (keeps_its_value(fmu, variable)) {
         return CALL_OK;
     }
-    if (!is_settable_now(instance, variable)) {
+    if (!is_settable_now(fmu, variable)) {
         const bool settable_at_times = variable->settable_before_start || variable->storage == STORED_STATE;
-        return answer(instance, CALL_ERROR, call, "%s cannot be set %s", variable->name,
-                      settable_at_times ? name_of_state(instance->state) : "at any time");
+        return answer(fmu, CALL_ERROR, "%s cannot be set %s", variable->name,
+                      settable_at_times ? name_of_state((call_state)fmu->run.state) : "at any time");
     }
-    if (is_trial(instance, variable)) {
-        return isnan(value) ? answer(instance, CALL_DISCARD, call, "%s is not a number", variable->name)
-                            : CALL_OK;
+    if (is_trial(fmu, variable)) {
+        return isnan(value) ? answer(fmu, CALL_DISCARD, "%s is not a number", variable->name) : CALL_OK;
     }
-    char text[FMU_TEXT];
-    return fmu_refuse_value(variable, value, text) == NULL ? CALL_OK
-                                                           : answer(instance, CALL_DISCARD, call, "%s", text);
+    return is_allowed(fmu, variable, value) ? CALL_OK : answer(fmu, CALL_DISCARD, "%s", fmu->reason);
 }
 
-static call_status set_number(instance *instance, const char *call, uint32_t reference, double value) {
-    const fmu_variable *variable = &fmu_variables[reference];
-    if (keeps_its_value(instance, variable)) {
-        return fmu_get_number(&instance->fmu, NULL, variable) == value
-                   ? CALL_OK
-                   : answer(instance, CALL_WARNING, call, "%s changes in event mode only, and stays as it is",
-                            variable->name);
+static call_status set_number(instance *fmu, const fmu_variable *variable, double value) {
+    double *place = place_of(fmu, variable->storage, variable->offset);
+    double *rate = variable->storage == STORED_INPUT ? rate_of(fmu, variable) : NULL;
+    if (keeps_its_value(fmu, variable)) {
+        return *place == value ? CALL_OK
+                               : answer(fmu, CALL_WARNING,
+                                        "%s changes in event mode only, and stays as it is", variable->name);
     }
-    if (is_trial(instance, variable)) {
-        double states[UNIT_CONTINUOUS_COUNT + 1];
-        fmu_states(&instance->fmu, NULL, states);
-        states[variable->offset] = value;
-        fmu_try_states(&instance->fmu, states);
+    if (is_trial(fmu, variable)) {
+        *place = within_largest(value);
+        take_from_world(fmu);
     } else {
-        fmu_set_number(&instance->fmu, variable, value);
+        *place = value;
+        if (is_exchange(fmu) && fmu->run.has_begun) {
+            take_immediate_events(fmu);
+        }
     }
-    double *rate = variable->storage == STORED_INPUT ? fmu_rate_of(&instance->fmu, variable) : NULL;
     if (rate != NULL) {
         *rate = 0.0;
     }
-    discard_view(instance);
+    fmu->view_is_current = false;
     return CALL_OK;
 }
 
-call_status set_numbers(instance *instance, const char *call, unsigned types, const uint32_t references[],
-                        size_t count, const void *values, number_reader read) {
-    call_status status =
-        MAY_BEGIN(instance, call, writable, count, references, values) ? CALL_OK : CALL_ERROR;
+call_status set_numbers(instance *fmu, unsigned types, const uint32_t references[], size_t count,
+                        const void *values, number_reader read) {
+    call_status status = ARE_GIVEN(fmu, count, references, values) ? CALL_OK : CALL_ERROR;
     for (size_t i = 0; i < count && status == CALL_OK; ++i) {
-        status = check_set(instance, call, types, references[i], read(values, i));
+        status = check_set(fmu, types, references[i], read(values, i));
     }
     if (status != CALL_OK) {
         return status;
     }
     for (size_t i = 0; i < count; ++i) {
-        const call_status done = set_number(instance, call, references[i], read(values, i));
+        const call_status done = set_number(fmu, &fmu_variables[references[i]], read(values, i));
         status = done > status ? done : status;
     }
     return status;
 }
 
-call_status set_texts(instance *instance, const char *call, const uint32_t references[], size_t count,
-                      const char *const values[]) {
-    if (!MAY_BEGIN(instance, call, writable, count, references, values)) {
+call_status set_texts(instance *fmu, const uint32_t references[], size_t count, const char *const values[]) {
+    if (!ARE_GIVEN(fmu, count, references, values)) {
         return CALL_ERROR;
     }
-    for (size_t i = 0; i < count; ++i) {
-        const fmu_variable *variable = find_variable(instance, call, references[i], VARIABLE_STRING);
-        return variable == NULL
-                   ? CALL_ERROR
-                   : answer(instance, CALL_ERROR, call, "%s cannot be set at any time", variable->name);
+    const fmu_variable *variable = count == 0 ? NULL : find_variable(fmu, references[0], VARIABLE_STRING);
+    if (variable != NULL) {
+        answer(fmu, CALL_ERROR, "%s cannot be set at any time", variable->name);
     }
-    return CALL_OK;
+    return count == 0 ? CALL_OK : CALL_ERROR;
 }

@@ -1,18 +1,33 @@
-/* Life cycle of an instance, the checks that every call of FMI makes first, and the view that calls read. */
+/* Life cycle of an instance, the checks that every call of FMI makes first, and messages to the importer. */
 #include "guid.h"
-#include "instance.h"
-#include "page_cvode.h"
 #include "run.h"
 
+#include <stdarg.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+enum { MESSAGE_CAPACITY = 512, LOG_ALL = (1 << (CALL_ERROR + 1)) - 1 };
+
+static const int64_t usual_step_limit = 1000000;
+
 /* ---- making and freeing -------------------------------------------------------------------------------- */
 
-static void begin_again(instance *instance) {
-    fmu_reset(&instance->fmu);
-    discard_view(instance);
-    instance->state = INSTANTIATED;
+call_status reset(instance *fmu) {
+    const unit_run fresh = {
+        .interface = fmu->run.interface,
+        .state = INSTANTIATED,
+        .settings =
+            {[SETTING_TOLERANCE] = 1e-11, [SETTING_TERMINATES] = 1.0, [SETTING_METHOD] = SOLVER_NATIVE},
+        .importer_tolerance = INFINITY,
+        .stop_time = INFINITY};
+    fmu->run = fresh;
+    memcpy(parameters_of(fmu), unit_model->parameter_defaults, UNIT_PARAMETER_COUNT * sizeof(double));
+    memcpy(states_of(fmu), unit_model->state_defaults, UNIT_STATE_COUNT * sizeof(double));
+    memcpy(fmu->run.starts, unit_model->state_defaults, UNIT_STATE_COUNT * sizeof(double));
+    fmu->step_limit = usual_step_limit;
+    fmu->view_is_current = false;
+    return CALL_OK;
 }
 
 void *instance_new(size_t size, const char *name, const char *token, interface_kind interface, bool logging,
@@ -29,7 +44,7 @@ void *instance_new(size_t size, const char *name, const char *token, interface_k
     const size_t length = strlen(name) + 1;
     instance *made = calloc(1, size);
     char *copy = malloc(length);
-    if (made == NULL || copy == NULL || allocate_memory(&made->fmu) == NULL) {
+    if (made == NULL || copy == NULL || allocate_memory(made) == NULL) {
         free(made);
         free(copy);
         *reason = "out of memory";
@@ -37,22 +52,47 @@ void *instance_new(size_t size, const char *name, const char *token, interface_k
     }
     memcpy(copy, name, length);
     made->name = copy;
-    made->interface = interface;
+    made->run.interface = (int32_t)interface;
     made->log_categories = logging ? LOG_ALL : 0;
-    made->fmu.is_exchange = interface == MODEL_EXCHANGE;
-    begin_again(made);
+    reset(made);
     return made;
 }
 
-void instance_free(instance *instance) {
-    if (instance != NULL) {
-        free(instance->fmu.memory);
-        free(instance->name);
-        free(instance);
+void instance_free(instance *fmu) {
+    if (fmu != NULL) {
+        free(fmu->memory);
+        free(fmu->name);
+        free(fmu);
     }
 }
 
-/* ---- checks -------------------------------------------------------------------------------------------- */
+/* ---- the call sequence --------------------------------------------------------------------------------- */
+
+#define EVALUABLE (INITIALIZATION_MODE | EVENT_MODE | CONTINUOUS_TIME_MODE | TERMINATED | FAILED)
+
+/* The states in which calls are allowed, in each interface; 0: the interface does not have them. */
+static const unsigned allowed_states[CALL_KIND_COUNT][INTERFACE_COUNT] = {
+    [MADE_EVER] = {ANYWHERE, ANYWHERE, ANYWHERE},
+    [MADE_BEFORE_INITIALIZATION] = {INSTANTIATED, INSTANTIATED, INSTANTIATED},
+    [MADE_IN_INITIALIZATION] = {INITIALIZATION_MODE, INITIALIZATION_MODE, INITIALIZATION_MODE},
+    [MADE_WHILE_RUNNING] = {RUNNING, RUNNING, RUNNING},
+    [SETS_VALUES] = {BEFORE_START | RUNNING, BEFORE_START | RUNNING, BEFORE_START | RUNNING},
+    [SETS_RATES] = {BEFORE_START | STEP_MODE, BEFORE_START | STEP_MODE, BEFORE_START | STEP_MODE},
+    [ENTERS_EVENT_MODE] = {CONTINUOUS_TIME_MODE, 0, STEP_MODE},
+    [ENTERS_EVENT_MODE_AGAIN] = {EVENT_MODE | CONTINUOUS_TIME_MODE, 0, 0},
+    [MADE_IN_EVENT_MODE] = {EVENT_MODE, EVENT_MODE, EVENT_MODE},
+    [ENTERS_CONTINUOUS_TIME] = {EVENT_MODE, 0, 0},
+    [ENTERS_STEP_MODE] = {0, EVENT_MODE, EVENT_MODE},
+    [SETS_TIME] = {EVENT_MODE | CONTINUOUS_TIME_MODE, 0, 0},
+    [INTEGRATES] = {CONTINUOUS_TIME_MODE, 0, 0},
+    [EVALUATES] = {EVALUABLE, EVALUABLE, EVALUABLE},
+    [ASKS_FOR_NOMINALS] = {INSTANTIATED | EVALUABLE, INSTANTIATED | EVALUABLE, INSTANTIATED | EVALUABLE},
+    [MAKES_STEP] = {0, STEP_MODE, STEP_MODE},
+    [FOLLOWS_STEP] = {TERMINATED | FAILED, STEP_MODE | TERMINATED | FAILED, STEP_MODE | TERMINATED | FAILED},
+};
+
+static const char *const interface_names[] = {"Model Exchange", "Co-Simulation without event mode",
+                                              "Co-Simulation with event mode"};
 
 int number_of_bit(unsigned bit) {
     int number = 0;
@@ -74,134 +114,136 @@ const char *name_of_state(call_state state) {
 }
 
 bool state_suits_interface(unsigned state, interface_kind interface, bool begun) {
-    const unsigned of_interface = interface == MODEL_EXCHANGE  ? EVENT_MODE | CONTINUOUS_TIME_MODE
-                                  : interface == CO_SIMULATION ? STEP_MODE
-                                                               : EVENT_MODE | STEP_MODE;
-    const unsigned states = begun ? of_interface | TERMINATED | FAILED : BEFORE_START | FAILED;
+    static const unsigned of_interface[] = {EVENT_MODE | CONTINUOUS_TIME_MODE, STEP_MODE,
+                                            EVENT_MODE | STEP_MODE};
+    const unsigned states = begun ? of_interface[interface] | TERMINATED | FAILED : BEFORE_START | FAILED;
     return (state & (state - 1)) == 0 && (state & states) != 0;
 }
 
-bool call_is_allowed(const instance *instance, const char *call, unsigned allowed_states) {
-    if (instance == NULL) {
+bool call_begins(instance *fmu, const char *call, call_kind kind) {
+    if (fmu == NULL) {
         return false;
     }
-    if ((instance->state & allowed_states) == 0) {
-        answer(instance, CALL_ERROR, call, "not allowed %s", name_of_state(instance->state));
+    fmu->call = call;
+    const unsigned allowed = allowed_states[kind][fmu->run.interface];
+    if ((allowed & (unsigned)fmu->run.state) == 0) {
+        answer(fmu, CALL_ERROR, "not allowed %s%s", allowed == 0 ? "in " : "",
+               allowed == 0 ? interface_names[fmu->run.interface]
+                            : name_of_state((call_state)fmu->run.state));
         return false;
     }
     return true;
 }
 
-bool array_is_given(const instance *instance, const char *call, const void *array, size_t count,
-                    size_t wanted) {
+call_status enter_state(instance *fmu, call_state state) {
+    fmu->run.state = (int32_t)state;
+    return CALL_OK;
+}
+
+/* ---- arrays -------------------------------------------------------------------------------------------- */
+
+bool array_is_given(const instance *fmu, const void *array, size_t count, size_t wanted) {
     if (count != wanted) {
-        answer(instance, CALL_ERROR, call, "the array has %lu elements, %lu are needed", (unsigned long)count,
+        answer(fmu, CALL_ERROR, "the array has %lu elements, %lu are needed", (unsigned long)count,
                (unsigned long)wanted);
         return false;
     }
     if (array == NULL && count > 0) {
-        answer(instance, CALL_ERROR, call, "the array is a null pointer");
+        answer(fmu, CALL_ERROR, "the array is a null pointer");
         return false;
     }
     return true;
 }
 
-bool call_may_begin(const instance *instance, const char *call, unsigned allowed_states, size_t count,
-                    const void *const arrays[], size_t array_count) {
-    bool may = call_is_allowed(instance, call, allowed_states);
-    for (size_t i = 0; i < array_count && may; ++i) {
-        may = array_is_given(instance, call, arrays[i], count, count);
+bool arrays_are_given(const instance *fmu, size_t count, const void *const arrays[], size_t array_count) {
+    bool are = true;
+    for (size_t i = 0; i < array_count && are; ++i) {
+        are = array_is_given(fmu, arrays[i], count, count);
     }
-    return may;
+    return are;
 }
 
-/* ---- the view ------------------------------------------------------------------------------------------ */
+/* ---- messages ------------------------------------------------------------------------------------------ */
 
-void discard_view(instance *instance) {
-    instance->view_is_current = false;
+/* The category of each status, then that of all. */
+static const char *const categories[] = {"logEvents", "logStatusWarning", "logStatusDiscard",
+                                         "logStatusError", "logAll"};
+
+call_status answer(const instance *fmu, call_status status, const char *format, ...) {
+    char text[MESSAGE_CAPACITY];
+    const int begin = snprintf(text, sizeof text, "%s: ", fmu->call);
+    va_list arguments;
+    va_start(arguments, format);
+    if (begin > 0 && (size_t)begin < sizeof text) {
+        vsnprintf(text + begin, sizeof text - (size_t)begin, format, arguments);
+    }
+    va_end(arguments);
+    if ((fmu->log_categories >> status & 1) != 0) {
+        fmu->send(fmu, status, categories[status], text);
+    }
+    return status;
 }
 
-const fmu *present_fmu(const instance *instance, const char *call, fmu *preview, call_status *status) {
-    char text[FMU_TEXT];
-    if (instance->fmu.has_begun) {
-        return &instance->fmu;
-    }
-    *preview = instance->fmu;
-    if (fmu_start(preview, text) != NULL) {
-        *status = answer(instance, CALL_DISCARD, call, "no outputs yet: %s", text);
-        return NULL;
-    }
-    return preview;
+bool refuse(instance *fmu, const char *format, ...) {
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(fmu->reason, sizeof fmu->reason, format, arguments);
+    va_end(arguments);
+    return false;
 }
 
-const fmu_view *current_view(instance *instance, const char *call, call_status *status) {
-    if (!instance->view_is_current) {
-        fmu preview;
-        const fmu *present = present_fmu(instance, call, &preview, status);
-        if (present == NULL) {
-            return NULL;
+bool logs_events(const instance *fmu) {
+    return (fmu->log_categories >> CALL_OK & 1) != 0;
+}
+
+void log_event(const instance *fmu, const char *text) {
+    fmu->send(fmu, CALL_OK, categories[CALL_OK], text);
+}
+
+/* The set of categories with this name; 0 if the name is unknown. */
+static unsigned category_named(const char *name) {
+    for (unsigned i = 0; i <= CALL_ERROR; ++i) {
+        if (strcmp(categories[i], name) == 0) {
+            return 1u << i;
         }
-        fmu_evaluate(present, &instance->view);
-        instance->view_is_current = true;
     }
-    return &instance->view;
+    return strcmp(categories[CALL_ERROR + 1], name) == 0 ? LOG_ALL : 0;
 }
 
-/* ---- the call sequence --------------------------------------------------------------------------------- */
-
-call_status enter_state(instance *instance, const char *call, unsigned from, call_state to) {
-    if (!call_is_allowed(instance, call, from)) {
+call_status set_logging(instance *fmu, bool on, size_t count, const char *const names[]) {
+    const char *unknown = NULL;
+    unsigned named = count == 0 ? (unsigned)LOG_ALL : 0;
+    if (!ARE_GIVEN(fmu, count, names)) {
         return CALL_ERROR;
     }
-    instance->state = to;
-    return CALL_OK;
+    for (size_t i = 0; i < count; ++i) {
+        const char *name = names[i] == NULL ? "(null)" : names[i];
+        unknown = category_named(name) == 0 ? name : unknown;
+        named |= category_named(name);
+    }
+    const unsigned present = on && !fmu->log_was_chosen ? 0 : fmu->log_categories;
+    const call_status status =
+        unknown == NULL ? CALL_OK : answer(fmu, CALL_WARNING, "there is no log category %s", unknown);
+    if (named != 0) {
+        fmu->log_categories = on ? present | named : present & ~named;
+        fmu->log_was_chosen = true;
+    }
+    return status;
 }
 
-call_status set_experiment(instance *instance, const char *call, bool tolerance_defined, double tolerance,
-                           double start_time, bool stop_time_defined, double stop_time) {
-    if (!call_is_allowed(instance, call, INSTANTIATED)) {
-        return CALL_ERROR;
+char *number_text(double number, char text[NUMBER_CAPACITY]) {
+    snprintf(text, NUMBER_CAPACITY, "%.15g", number);
+    char *comma = strchr(text, ','); /* decimal point of the locale */
+    if (comma != NULL) {
+        *comma = '.';
     }
-    const char *wrong = NULL;
-    if (!fmu_is_time(start_time)) {
-        wrong = "the start time is not finite or beyond 1e100 s";
-    } else if (stop_time_defined && !(stop_time >= start_time)) {
-        wrong = "the stop time lies before the start time, or is not a number";
-    } else if (tolerance_defined && !(tolerance > 0.0 && isfinite(tolerance))) {
-        wrong = "the tolerance is not a positive number";
-    }
-    if (wrong != NULL) {
-        return answer(instance, CALL_ERROR, call, "%s", wrong);
-    }
-    fmu_set_time(&instance->fmu, start_time);
-    instance->fmu.importer_tolerance = tolerance_defined ? tolerance : INFINITY;
-    instance->fmu.stop_time = stop_time_defined ? stop_time : INFINITY;
-    discard_view(instance);
-    return CALL_OK;
+    return text;
 }
 
-call_status exit_initialization(instance *instance, const char *call) {
-    char text[FMU_TEXT];
-    if (!call_is_allowed(instance, call, INITIALIZATION_MODE)) {
-        return CALL_ERROR;
-    }
-    if (instance->fmu.settings[SETTING_METHOD] != SOLVER_NATIVE && !tdmf_page_cvode_is_available()) {
-        return answer(instance, CALL_ERROR, call,
-                      "solver.method = cvode is refused: this unit was built without "
-                      "SUNDIALS; allowed: native");
-    }
-    if (fmu_start(&instance->fmu, text) != NULL) {
-        return answer(instance, CALL_ERROR, call, "%s", text);
-    }
-    discard_view(instance);
-    instance->state = instance->interface == CO_SIMULATION ? STEP_MODE : EVENT_MODE;
-    return CALL_OK;
-}
-
-call_status reset(instance *instance, const char *call) {
-    if (!call_is_allowed(instance, call, ANYWHERE)) {
-        return CALL_ERROR;
-    }
-    begin_again(instance);
-    return CALL_OK;
+char *value_text(const fmu_variable *variable, double value, char text[VALUE_CAPACITY]) {
+    char number[NUMBER_CAPACITY];
+    const bool has_unit = variable->unit != NULL;
+    snprintf(text, VALUE_CAPACITY, "%s%s%s", number_text(value, number), has_unit ? " " : "",
+             has_unit ? variable->unit : "");
+    return text;
 }

@@ -1,4 +1,5 @@
-/* The calls of FMI 2.0: each is a row of its name, its arguments, and what it does in terms of instance.h. */
+/* The calls of FMI 2.0: each is a row of its name, its kind, its arguments, and what it does in terms of
+ * instance.h. */
 #include "fmi2Functions.h"
 
 #ifdef FMI2_FUNCTION_PREFIX /* some copies of the header above ignore it */
@@ -9,8 +10,6 @@
 #endif
 
 #include "instance.h"
-
-#include <math.h>
 
 typedef char agrees_status_numbers[(int)fmi2Warning == CALL_WARNING && (int)fmi2Discard == CALL_DISCARD &&
                                            (int)fmi2Error == CALL_ERROR
@@ -24,10 +23,9 @@ typedef struct {
     fmi2ComponentEnvironment environment;
 } fmi2_instance;
 
-#define CALL(name, given, does)                                                                              \
+#define CALL(name, kind, given, does)                                                                        \
     fmi2Status fmi2##name given {                                                                            \
-        static const char call[] = "fmi2" #name;                                                             \
-        return (fmi2Status)(does);                                                                           \
+        return (fmi2Status)(call_begins(c, "fmi2" #name, kind) ? (does) : CALL_ERROR);                       \
     }
 #define REFERENCES const fmi2ValueReference references[], size_t count
 
@@ -41,10 +39,10 @@ const char *fmi2GetVersion(void) {
     return fmi2Version;
 }
 
-static void send(const instance *instance, call_status status, const char *category, const char *text) {
-    const fmi2_instance *own = (const fmi2_instance *)instance;
+static void send(const instance *fmu, call_status status, const char *category, const char *text) {
+    const fmi2_instance *own = (const fmi2_instance *)fmu;
     if (own->logger != NULL) {
-        own->logger(own->environment, instance->name, (fmi2Status)status, category, "%s", text);
+        own->logger(own->environment, fmu->name, (fmi2Status)status, category, "%s", text);
     }
 }
 
@@ -71,20 +69,21 @@ fmi2Component fmi2Instantiate(fmi2String name, fmi2Type type, fmi2String guid, f
     return made;
 }
 
-void fmi2FreeInstance(fmi2Component component) {
-    instance_free(component);
+void fmi2FreeInstance(fmi2Component c) {
+    instance_free(c);
 }
 
-CALL(SetDebugLogging, (fmi2Component c, fmi2Boolean on, size_t count, const fmi2String names[]),
-     set_logging(c, call, on != fmi2False, count, names))
-CALL(SetupExperiment,
+CALL(SetDebugLogging, MADE_EVER, (fmi2Component c, fmi2Boolean on, size_t count, const fmi2String names[]),
+     set_logging(c, on != fmi2False, count, names))
+CALL(SetupExperiment, MADE_BEFORE_INITIALIZATION,
      (fmi2Component c, fmi2Boolean has_tolerance, fmi2Real tolerance, fmi2Real start, fmi2Boolean has_stop,
       fmi2Real stop),
-     set_experiment(c, call, has_tolerance != fmi2False, tolerance, start, has_stop != fmi2False, stop))
-CALL(EnterInitializationMode, (fmi2Component c), enter_state(c, call, INSTANTIATED, INITIALIZATION_MODE))
-CALL(ExitInitializationMode, (fmi2Component c), exit_initialization(c, call))
-CALL(Terminate, (fmi2Component c), enter_state(c, call, RUNNING, TERMINATED))
-CALL(Reset, (fmi2Component c), reset(c, call))
+     set_experiment(c, has_tolerance != fmi2False, tolerance, start, has_stop != fmi2False, stop))
+CALL(EnterInitializationMode, MADE_BEFORE_INITIALIZATION, (fmi2Component c),
+     enter_state(c, INITIALIZATION_MODE))
+CALL(ExitInitializationMode, MADE_IN_INITIALIZATION, (fmi2Component c), exit_initialization(c))
+CALL(Terminate, MADE_WHILE_RUNNING, (fmi2Component c), enter_state(c, TERMINATED))
+CALL(Reset, MADE_EVER, (fmi2Component c), reset(c))
 
 /* ---- variables ----------------------------------------------------------------------------------------- */
 
@@ -98,169 +97,165 @@ static double read_int(const void *values, size_t i) {
     return ((const int *)values)[i];
 }
 
-CALL(GetReal, (fmi2Component c, REFERENCES, fmi2Real values[]),
-     get_numbers(c, call, VARIABLE_REAL, references, count, values, write_double))
-CALL(GetInteger, (fmi2Component c, REFERENCES, fmi2Integer values[]),
-     get_numbers(c, call, integers, references, count, values, write_int))
-CALL(GetBoolean, (fmi2Component c, REFERENCES, fmi2Boolean values[]),
-     get_numbers(c, call, VARIABLE_BOOLEAN, references, count, values, write_int))
-CALL(GetString, (fmi2Component c, REFERENCES, fmi2String values[]),
-     get_texts(c, call, references, count, values))
-CALL(SetReal, (fmi2Component c, REFERENCES, const fmi2Real values[]),
-     set_numbers(c, call, VARIABLE_REAL, references, count, values, read_double))
-CALL(SetInteger, (fmi2Component c, REFERENCES, const fmi2Integer values[]),
-     set_numbers(c, call, integers, references, count, values, read_int))
-CALL(SetBoolean, (fmi2Component c, REFERENCES, const fmi2Boolean values[]),
-     set_numbers(c, call, VARIABLE_BOOLEAN, references, count, values, read_int))
-CALL(SetString, (fmi2Component c, REFERENCES, const fmi2String values[]),
-     set_texts(c, call, references, count, values))
-CALL(GetDirectionalDerivative,
+CALL(GetReal, MADE_EVER, (fmi2Component c, REFERENCES, fmi2Real values[]),
+     get_numbers(c, VARIABLE_REAL, references, count, values, write_double))
+CALL(GetInteger, MADE_EVER, (fmi2Component c, REFERENCES, fmi2Integer values[]),
+     get_numbers(c, integers, references, count, values, write_int))
+CALL(GetBoolean, MADE_EVER, (fmi2Component c, REFERENCES, fmi2Boolean values[]),
+     get_numbers(c, VARIABLE_BOOLEAN, references, count, values, write_int))
+CALL(GetString, MADE_EVER, (fmi2Component c, REFERENCES, fmi2String values[]),
+     get_texts(c, references, count, values))
+CALL(SetReal, SETS_VALUES, (fmi2Component c, REFERENCES, const fmi2Real values[]),
+     set_numbers(c, VARIABLE_REAL, references, count, values, read_double))
+CALL(SetInteger, SETS_VALUES, (fmi2Component c, REFERENCES, const fmi2Integer values[]),
+     set_numbers(c, integers, references, count, values, read_int))
+CALL(SetBoolean, SETS_VALUES, (fmi2Component c, REFERENCES, const fmi2Boolean values[]),
+     set_numbers(c, VARIABLE_BOOLEAN, references, count, values, read_int))
+CALL(SetString, SETS_VALUES, (fmi2Component c, REFERENCES, const fmi2String values[]),
+     set_texts(c, references, count, values))
+CALL(GetDirectionalDerivative, MADE_EVER,
      (fmi2Component c, const fmi2ValueReference unknowns[], size_t unknown_count,
       const fmi2ValueReference knowns[], size_t known_count, const fmi2Real seeds[], fmi2Real values[]),
-     directional_derivative(c, call, unknowns, unknown_count, knowns, known_count, seeds, values))
+     directional_derivative(c, false, unknowns, unknown_count, knowns, known_count, seeds, values))
 
-CALL(GetFMUstate, (fmi2Component c, fmi2FMUstate *state), save_state(c, call, state))
-CALL(SetFMUstate, (fmi2Component c, fmi2FMUstate state), restore_state(c, call, state))
-CALL(FreeFMUstate, (fmi2Component c, fmi2FMUstate *state), free_state(c, call, state))
-CALL(SerializedFMUstateSize, (fmi2Component c, fmi2FMUstate state, size_t *size),
-     measure_state(c, call, state, size))
-CALL(SerializeFMUstate, (fmi2Component c, fmi2FMUstate state, fmi2Byte bytes[], size_t size),
-     serialize_state(c, call, state, bytes, size))
-CALL(DeSerializeFMUstate, (fmi2Component c, const fmi2Byte bytes[], size_t size, fmi2FMUstate *state),
-     deserialize_state(c, call, bytes, size, state))
+CALL(GetFMUstate, MADE_EVER, (fmi2Component c, fmi2FMUstate *state), save_state(c, state))
+CALL(SetFMUstate, MADE_EVER, (fmi2Component c, fmi2FMUstate state), restore_state(c, state))
+CALL(FreeFMUstate, MADE_EVER, (fmi2Component c, fmi2FMUstate *state), free_state(state))
+CALL(SerializedFMUstateSize, MADE_EVER, (fmi2Component c, fmi2FMUstate state, size_t *size),
+     measure_state(c, state, size))
+CALL(SerializeFMUstate, MADE_EVER, (fmi2Component c, fmi2FMUstate state, fmi2Byte bytes[], size_t size),
+     serialize_state(c, state, bytes, size))
+CALL(DeSerializeFMUstate, MADE_EVER,
+     (fmi2Component c, const fmi2Byte bytes[], size_t size, fmi2FMUstate *state),
+     deserialize_state(c, bytes, size, state))
 
 /* ---- Model Exchange ------------------------------------------------------------------------------------ */
 
-fmi2Status fmi2NewDiscreteStates(fmi2Component component, fmi2EventInfo *info) {
-    static const char call[] = "fmi2NewDiscreteStates";
-    if (!MAY_BEGIN(component, call, EVENT_MODE, 1, info)) {
-        return fmi2Error;
-    }
+static call_status new_discrete_states(instance *fmu, fmi2EventInfo *info) {
     discrete_update update = {0};
-    const call_status status = update_discrete_states(component, call, &update);
+    if (!ARE_GIVEN(fmu, 1, info)) {
+        return CALL_ERROR;
+    }
+    const call_status status = update_discrete_states(fmu, &update);
     const fmi2EventInfo found = {.valuesOfContinuousStatesChanged = update.states_changed,
                                  .terminateSimulation = update.terminate,
                                  .nextEventTimeDefined = update.next_time_defined,
                                  .nextEventTime = update.next_time};
     *info = found;
-    return (fmi2Status)status;
+    return status;
 }
 
-fmi2Status fmi2CompletedIntegratorStep(fmi2Component component, fmi2Boolean no_set_state_before,
-                                       fmi2Boolean *enter_event_mode, fmi2Boolean *terminate) {
-    bool asks = false;
-    const call_status status =
-        complete_step(component, "fmi2CompletedIntegratorStep", enter_event_mode, terminate, &asks);
-    if (status == CALL_OK) {
-        *enter_event_mode = asks;
-        *terminate = fmi2False;
+static call_status completed_step(instance *fmu, fmi2Boolean *enter_event_mode, fmi2Boolean *terminate) {
+    if (!ARE_GIVEN(fmu, 1, enter_event_mode, terminate)) {
+        return CALL_ERROR;
     }
-    return (fmi2Status)status;
+    *enter_event_mode = complete_step(fmu);
+    *terminate = fmi2False;
+    return CALL_OK;
 }
 
-CALL(EnterEventMode, (fmi2Component c), enter_event_mode(c, call, EVENT_MODE | CONTINUOUS_TIME_MODE))
-CALL(EnterContinuousTimeMode, (fmi2Component c), enter_state(c, call, EVENT_MODE, CONTINUOUS_TIME_MODE))
-CALL(SetTime, (fmi2Component c, fmi2Real time), set_time(c, call, time))
-CALL(SetContinuousStates, (fmi2Component c, const fmi2Real states[], size_t count),
-     set_states(c, call, states, count))
-CALL(GetContinuousStates, (fmi2Component c, fmi2Real states[], size_t count),
-     get_states(c, call, states, count))
-CALL(GetDerivatives, (fmi2Component c, fmi2Real derivatives[], size_t count),
-     get_derivatives(c, call, derivatives, count))
-CALL(GetEventIndicators, (fmi2Component c, fmi2Real indicators[], size_t count),
-     get_indicators(c, call, indicators, count))
-CALL(GetNominalsOfContinuousStates, (fmi2Component c, fmi2Real nominals[], size_t count),
-     get_nominals(c, call, nominals, count))
+CALL(NewDiscreteStates, MADE_IN_EVENT_MODE, (fmi2Component c, fmi2EventInfo *info),
+     new_discrete_states(c, info))
+CALL(CompletedIntegratorStep, INTEGRATES,
+     (fmi2Component c, fmi2Boolean no_set_state_before, fmi2Boolean *event_mode, fmi2Boolean *terminate),
+     completed_step(c, event_mode, terminate))
+CALL(EnterEventMode, ENTERS_EVENT_MODE_AGAIN, (fmi2Component c), enter_event_mode(c))
+CALL(EnterContinuousTimeMode, ENTERS_CONTINUOUS_TIME, (fmi2Component c), enter_state(c, CONTINUOUS_TIME_MODE))
+CALL(SetTime, SETS_TIME, (fmi2Component c, fmi2Real time), set_time(c, time))
+CALL(SetContinuousStates, INTEGRATES, (fmi2Component c, const fmi2Real states[], size_t count),
+     set_states(c, states, count))
+CALL(GetContinuousStates, EVALUATES, (fmi2Component c, fmi2Real states[], size_t count),
+     get_states(c, states, count))
+CALL(GetDerivatives, EVALUATES, (fmi2Component c, fmi2Real derivatives[], size_t count),
+     get_derivatives(c, derivatives, count))
+CALL(GetEventIndicators, EVALUATES, (fmi2Component c, fmi2Real indicators[], size_t count),
+     get_indicators(c, indicators, count))
+CALL(GetNominalsOfContinuousStates, ASKS_FOR_NOMINALS, (fmi2Component c, fmi2Real nominals[], size_t count),
+     get_nominals(c, nominals, count))
 
 /* ---- Co-Simulation ------------------------------------------------------------------------------------- */
 
-static const unsigned after_steps = STEP_MODE | TERMINATED | FAILED;
-
-CALL(DoStep, (fmi2Component c, fmi2Real time, fmi2Real step, fmi2Boolean no_set_state_before),
-     step_on(c, call, time, step, false, &(bool){false}))
-
-static call_status check_input_rate(const instance *instance, const char *call, fmi2ValueReference reference,
-                                    fmi2Integer order, double value) {
-    const fmu_variable *variable = find_variable(instance, call, reference, VARIABLE_REAL);
+static call_status check_input_rate(const instance *fmu, fmi2ValueReference reference, fmi2Integer order,
+                                    double value) {
+    const fmu_variable *variable = find_variable(fmu, reference, VARIABLE_REAL);
     if (variable == NULL) {
         return CALL_ERROR;
     }
     if (variable->storage != STORED_INPUT) {
-        return answer(instance, CALL_ERROR, call, "%s is not an input", variable->name);
+        return answer(fmu, CALL_ERROR, "%s is not an input", variable->name);
     }
     if (variable->variability != VARIABILITY_CONTINUOUS) {
-        return answer(instance, CALL_ERROR, call, "%s changes at events only: it has no derivative",
-                      variable->name);
+        return answer(fmu, CALL_ERROR, "%s changes at events only: it has no derivative", variable->name);
     }
     if (order != 1) {
-        return answer(instance, CALL_ERROR, call, "only first derivatives of inputs are taken, not order %d",
-                      order);
+        return answer(fmu, CALL_ERROR, "only first derivatives of inputs are taken, not order %d", order);
     }
-    return isfinite(value)
-               ? CALL_OK
-               : answer(instance, CALL_DISCARD, call, "the derivative of %s is not finite", variable->name);
+    return isfinite(value) ? CALL_OK
+                           : answer(fmu, CALL_DISCARD, "the derivative of %s is not finite", variable->name);
 }
 
-fmi2Status fmi2SetRealInputDerivatives(fmi2Component component, REFERENCES, const fmi2Integer orders[],
-                                       const fmi2Real values[]) {
-    static const char call[] = "fmi2SetRealInputDerivatives";
-    instance *instance = component;
-    if (!MAY_BEGIN(instance, call, BEFORE_START | STEP_MODE, count, references, orders, values)) {
-        return fmi2Error;
-    }
-    call_status status = CALL_OK;
+static call_status set_input_rates(instance *fmu, REFERENCES, const fmi2Integer orders[],
+                                   const fmi2Real values[]) {
+    call_status status = ARE_GIVEN(fmu, count, references, orders, values) ? CALL_OK : CALL_ERROR;
     for (size_t i = 0; i < count && status == CALL_OK; ++i) {
-        status = check_input_rate(instance, call, references[i], orders[i], values[i]);
+        status = check_input_rate(fmu, references[i], orders[i], values[i]);
     }
     for (size_t i = 0; i < count && status == CALL_OK; ++i) {
-        double *rate = fmu_rate_of(&instance->fmu, &fmu_variables[references[i]]);
+        double *rate = rate_of(fmu, &fmu_variables[references[i]]);
         if (rate != NULL) {
             *rate = values[i];
         }
     }
-    discard_view(instance);
-    return (fmi2Status)status;
+    fmu->view_is_current = false;
+    return status;
 }
 
-CALL(GetRealOutputDerivatives, (fmi2Component c, REFERENCES, const fmi2Integer orders[], fmi2Real values[]),
-     output_derivatives(c, call, references, count, orders, values))
-CALL(CancelStep, (fmi2Component c),
-     c == NULL ? CALL_ERROR : answer(c, CALL_ERROR, call, "no step is under way: steps are not asynchronous"))
+CALL(DoStep, MAKES_STEP, (fmi2Component c, fmi2Real time, fmi2Real step, fmi2Boolean no_set_state_before),
+     make_step(c, time, step, false))
+CALL(SetRealInputDerivatives, SETS_RATES,
+     (fmi2Component c, REFERENCES, const fmi2Integer orders[], const fmi2Real values[]),
+     set_input_rates(c, references, count, orders, values))
+CALL(GetRealOutputDerivatives, FOLLOWS_STEP,
+     (fmi2Component c, REFERENCES, const fmi2Integer orders[], fmi2Real values[]),
+     output_derivatives(c, references, count, orders, values))
+CALL(CancelStep, MADE_EVER, (fmi2Component c),
+     answer(c, CALL_ERROR, "no step is under way: steps are not asynchronous"))
 
 /* Steps are not asynchronous, so only two statuses exist. */
 
-static call_status refuse_status(const instance *instance, const char *call) {
-    return call_is_allowed(instance, call, after_steps)
-               ? answer(instance, CALL_DISCARD, call, "steps are not asynchronous, there is no such status")
-               : CALL_ERROR;
+static call_status refuse_status(const instance *fmu) {
+    return answer(fmu, CALL_DISCARD, "steps are not asynchronous, there is no such status");
 }
 
-fmi2Status fmi2GetRealStatus(fmi2Component component, const fmi2StatusKind kind, fmi2Real *value) {
-    static const char call[] = "fmi2GetRealStatus";
-    const instance *instance = component;
+static call_status get_real_status(const instance *fmu, fmi2StatusKind kind, fmi2Real *value) {
     if (kind != fmi2LastSuccessfulTime) {
-        return (fmi2Status)refuse_status(instance, call);
+        return refuse_status(fmu);
     }
-    if (!MAY_BEGIN(instance, call, after_steps, 1, value)) {
-        return fmi2Error;
+    if (!ARE_GIVEN(fmu, 1, value)) {
+        return CALL_ERROR;
     }
-    *value = instance->fmu.time;
-    return fmi2OK;
+    *value = fmu->run.time;
+    return CALL_OK;
 }
 
-fmi2Status fmi2GetBooleanStatus(fmi2Component component, const fmi2StatusKind kind, fmi2Boolean *value) {
-    static const char call[] = "fmi2GetBooleanStatus";
+static call_status get_boolean_status(const instance *fmu, fmi2StatusKind kind, fmi2Boolean *value) {
     if (kind != fmi2Terminated) {
-        return (fmi2Status)refuse_status(component, call);
+        return refuse_status(fmu);
     }
-    if (!MAY_BEGIN(component, call, after_steps, 1, value)) {
-        return fmi2Error;
+    if (!ARE_GIVEN(fmu, 1, value)) {
+        return CALL_ERROR;
     }
     *value = fmi2False;
-    return fmi2OK;
+    return CALL_OK;
 }
 
-CALL(GetStatus, (fmi2Component c, const fmi2StatusKind kind, fmi2Status *value), refuse_status(c, call))
-CALL(GetIntegerStatus, (fmi2Component c, const fmi2StatusKind kind, fmi2Integer *value),
-     refuse_status(c, call))
-CALL(GetStringStatus, (fmi2Component c, const fmi2StatusKind kind, fmi2String *value), refuse_status(c, call))
+CALL(GetRealStatus, FOLLOWS_STEP, (fmi2Component c, const fmi2StatusKind kind, fmi2Real *value),
+     get_real_status(c, kind, value))
+CALL(GetBooleanStatus, FOLLOWS_STEP, (fmi2Component c, const fmi2StatusKind kind, fmi2Boolean *value),
+     get_boolean_status(c, kind, value))
+CALL(GetStatus, FOLLOWS_STEP, (fmi2Component c, const fmi2StatusKind kind, fmi2Status *value),
+     refuse_status(c))
+CALL(GetIntegerStatus, FOLLOWS_STEP, (fmi2Component c, const fmi2StatusKind kind, fmi2Integer *value),
+     refuse_status(c))
+CALL(GetStringStatus, FOLLOWS_STEP, (fmi2Component c, const fmi2StatusKind kind, fmi2String *value),
+     refuse_status(c))

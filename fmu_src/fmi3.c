@@ -1,5 +1,5 @@
-/* The calls of FMI 3.0: each is a row of its name, its arguments, and what it does in terms of instance.h.
- * Every variable is a scalar, so there are as many values as references. */
+/* The calls of FMI 3.0: each is a row of its name, its kind, its arguments, and what it does in terms of
+ * instance.h. Every variable is a scalar, so there are as many values as references. */
 #include "fmi3Functions.h"
 
 #include "instance.h"
@@ -19,10 +19,9 @@ typedef struct {
     fmi3InstanceEnvironment environment;
 } fmi3_instance;
 
-#define CALL(name, given, does)                                                                              \
+#define CALL(name, kind, given, does)                                                                        \
     fmi3Status fmi3##name given {                                                                            \
-        static const char call[] = "fmi3" #name;                                                             \
-        return (fmi3Status)(does);                                                                           \
+        return (fmi3Status)(call_begins(c, "fmi3" #name, kind) ? (does) : CALL_ERROR);                       \
     }
 #define REFERENCES const fmi3ValueReference references[], size_t count
 
@@ -32,8 +31,8 @@ const char *fmi3GetVersion(void) {
     return fmi3Version;
 }
 
-static void send(const instance *instance, call_status status, const char *category, const char *text) {
-    const fmi3_instance *own = (const fmi3_instance *)instance;
+static void send(const instance *fmu, call_status status, const char *category, const char *text) {
+    const fmi3_instance *own = (const fmi3_instance *)fmu;
     if (own->logger != NULL) {
         own->logger(own->environment, (fmi3Status)status, category, text);
     }
@@ -87,37 +86,41 @@ fmi3Instance fmi3InstantiateScheduledExecution(
                        "the unit has no Scheduled Execution", name, token, logging, environment, logger);
 }
 
-void fmi3FreeInstance(fmi3Instance component) {
-    instance_free(component);
+void fmi3FreeInstance(fmi3Instance c) {
+    instance_free(c);
 }
 
-CALL(SetDebugLogging, (fmi3Instance c, fmi3Boolean on, size_t count, const fmi3String names[]),
-     set_logging(c, call, on, count, names))
+CALL(SetDebugLogging, MADE_EVER, (fmi3Instance c, fmi3Boolean on, size_t count, const fmi3String names[]),
+     set_logging(c, on, count, names))
 
-fmi3Status fmi3EnterInitializationMode(fmi3Instance component, fmi3Boolean tolerance_defined,
-                                       fmi3Float64 tolerance, fmi3Float64 start_time,
-                                       fmi3Boolean stop_time_defined, fmi3Float64 stop_time) {
-    static const char call[] = "fmi3EnterInitializationMode";
-    const call_status status = set_experiment(component, call, tolerance_defined, tolerance, start_time,
-                                              stop_time_defined, stop_time);
-    return (fmi3Status)(status == CALL_OK ? enter_state(component, call, INSTANTIATED, INITIALIZATION_MODE)
-                                          : status);
+static call_status enter_initialization(instance *fmu, bool tolerance_defined, double tolerance,
+                                        double start_time, bool stop_time_defined, double stop_time) {
+    const call_status status =
+        set_experiment(fmu, tolerance_defined, tolerance, start_time, stop_time_defined, stop_time);
+    return status == CALL_OK ? enter_state(fmu, INITIALIZATION_MODE) : status;
 }
 
-CALL(ExitInitializationMode, (fmi3Instance c), exit_initialization(c, call))
-CALL(Terminate, (fmi3Instance c), enter_state(c, call, RUNNING, TERMINATED))
-CALL(Reset, (fmi3Instance c), reset(c, call))
+CALL(EnterInitializationMode, MADE_BEFORE_INITIALIZATION,
+     (fmi3Instance c, fmi3Boolean has_tolerance, fmi3Float64 tolerance, fmi3Float64 start,
+      fmi3Boolean has_stop, fmi3Float64 stop),
+     enter_initialization(c, has_tolerance, tolerance, start, has_stop, stop))
+CALL(ExitInitializationMode, MADE_IN_INITIALIZATION, (fmi3Instance c), exit_initialization(c))
+CALL(Terminate, MADE_WHILE_RUNNING, (fmi3Instance c), enter_state(c, TERMINATED))
+CALL(Reset, MADE_EVER, (fmi3Instance c), reset(c))
 
 /* ---- variables and derivatives ------------------------------------------------------------------------- */
 
-static bool counts_agree(const instance *instance, const char *call, size_t references, size_t values) {
-    if (instance != NULL && references != values) {
-        answer(instance, CALL_ERROR, call, "%lu value references and %lu values: every variable is a scalar",
+static bool counts_agree(const instance *fmu, size_t references, size_t values) {
+    if (references != values) {
+        answer(fmu, CALL_ERROR, "%lu value references and %lu values: every variable is a scalar",
                (unsigned long)references, (unsigned long)values);
-        return false;
     }
-    return true;
+    return references == values;
 }
+
+/* A call with arrays of references and values. */
+#define CALL_WITH_VALUES(name, kind, given, does)                                                            \
+    CALL(name, kind, given, counts_agree(c, count, value_count) ? (does) : CALL_ERROR)
 
 /* Calls that get and set variables of a type of FMI 3.0. */
 #define VARIABLES(Type, type, from_number, to_number)                                                        \
@@ -128,184 +131,162 @@ static bool counts_agree(const instance *instance, const char *call, size_t refe
         const fmi3##Type value = ((const fmi3##Type *)values)[i];                                            \
         return (to_number);                                                                                  \
     }                                                                                                        \
-    CALL(Get##Type, (fmi3Instance c, REFERENCES, fmi3##Type values[], size_t value_count),                   \
-         counts_agree(c, call, count, value_count)                                                           \
-             ? get_numbers(c, call, type, references, count, values, write_##Type)                           \
-             : CALL_ERROR)                                                                                   \
-    CALL(Set##Type, (fmi3Instance c, REFERENCES, const fmi3##Type values[], size_t value_count),             \
-         counts_agree(c, call, count, value_count)                                                           \
-             ? set_numbers(c, call, type, references, count, values, read_##Type)                            \
-             : CALL_ERROR)
+    CALL_WITH_VALUES(Get##Type, MADE_EVER,                                                                   \
+                     (fmi3Instance c, REFERENCES, fmi3##Type values[], size_t value_count),                  \
+                     get_numbers(c, type, references, count, values, write_##Type))                          \
+    CALL_WITH_VALUES(Set##Type, SETS_VALUES,                                                                 \
+                     (fmi3Instance c, REFERENCES, const fmi3##Type values[], size_t value_count),            \
+                     set_numbers(c, type, references, count, values, read_##Type))
 
 VARIABLES(Float64, VARIABLE_REAL, number, value)
 VARIABLES(Int32, VARIABLE_INTEGER, number, value)
 VARIABLES(Int64, VARIABLE_ENUMERATION, number, (double)value) /* as FMI 3.0 passes enumerations */
 VARIABLES(Boolean, VARIABLE_BOOLEAN, number != 0.0, value ? 1.0 : 0.0)
 
-CALL(GetString, (fmi3Instance c, REFERENCES, fmi3String values[], size_t value_count),
-     counts_agree(c, call, count, value_count) ? get_texts(c, call, references, count, values) : CALL_ERROR)
-CALL(SetString, (fmi3Instance c, REFERENCES, const fmi3String values[], size_t value_count),
-     counts_agree(c, call, count, value_count) ? set_texts(c, call, references, count, values) : CALL_ERROR)
+CALL_WITH_VALUES(GetString, MADE_EVER, (fmi3Instance c, REFERENCES, fmi3String values[], size_t value_count),
+                 get_texts(c, references, count, values))
+CALL_WITH_VALUES(SetString, SETS_VALUES,
+                 (fmi3Instance c, REFERENCES, const fmi3String values[], size_t value_count),
+                 set_texts(c, references, count, values))
 
 #define DIRECTION                                                                                            \
     const fmi3ValueReference unknowns[], size_t unknown_count, const fmi3ValueReference knowns[],            \
         size_t known_count, const fmi3Float64 seeds[], size_t seed_count, fmi3Float64 values[],              \
         size_t value_count
 
-CALL(GetDirectionalDerivative, (fmi3Instance c, DIRECTION),
-     counts_agree(c, call, known_count, seed_count) && counts_agree(c, call, unknown_count, value_count)
-         ? directional_derivative(c, call, unknowns, unknown_count, knowns, known_count, seeds, values)
+CALL(GetDirectionalDerivative, MADE_EVER, (fmi3Instance c, DIRECTION),
+     counts_agree(c, known_count, seed_count) && counts_agree(c, unknown_count, value_count)
+         ? directional_derivative(c, false, unknowns, unknown_count, knowns, known_count, seeds, values)
          : CALL_ERROR)
-CALL(GetAdjointDerivative, (fmi3Instance c, DIRECTION),
-     counts_agree(c, call, unknown_count, seed_count) && counts_agree(c, call, known_count, value_count)
-         ? adjoint_derivative(c, call, unknowns, unknown_count, knowns, known_count, seeds, values)
+CALL(GetAdjointDerivative, MADE_EVER, (fmi3Instance c, DIRECTION),
+     counts_agree(c, unknown_count, seed_count) && counts_agree(c, known_count, value_count)
+         ? directional_derivative(c, true, unknowns, unknown_count, knowns, known_count, seeds, values)
          : CALL_ERROR)
 
-CALL(GetFMUState, (fmi3Instance c, fmi3FMUState *state), save_state(c, call, state))
-CALL(SetFMUState, (fmi3Instance c, fmi3FMUState state), restore_state(c, call, state))
-CALL(FreeFMUState, (fmi3Instance c, fmi3FMUState *state), free_state(c, call, state))
-CALL(SerializedFMUStateSize, (fmi3Instance c, fmi3FMUState state, size_t *size),
-     measure_state(c, call, state, size))
-CALL(SerializeFMUState, (fmi3Instance c, fmi3FMUState state, fmi3Byte bytes[], size_t size),
-     serialize_state(c, call, state, bytes, size))
-CALL(DeserializeFMUState, (fmi3Instance c, const fmi3Byte bytes[], size_t size, fmi3FMUState *state),
-     deserialize_state(c, call, bytes, size, state))
+CALL(GetFMUState, MADE_EVER, (fmi3Instance c, fmi3FMUState *state), save_state(c, state))
+CALL(SetFMUState, MADE_EVER, (fmi3Instance c, fmi3FMUState state), restore_state(c, state))
+CALL(FreeFMUState, MADE_EVER, (fmi3Instance c, fmi3FMUState *state), free_state(state))
+CALL(SerializedFMUStateSize, MADE_EVER, (fmi3Instance c, fmi3FMUState state, size_t *size),
+     measure_state(c, state, size))
+CALL(SerializeFMUState, MADE_EVER, (fmi3Instance c, fmi3FMUState state, fmi3Byte bytes[], size_t size),
+     serialize_state(c, state, bytes, size))
+CALL(DeserializeFMUState, MADE_EVER,
+     (fmi3Instance c, const fmi3Byte bytes[], size_t size, fmi3FMUState *state),
+     deserialize_state(c, bytes, size, state))
 
 /* ---- event mode ---------------------------------------------------------------------------------------- */
 
-fmi3Status fmi3EnterEventMode(fmi3Instance component) {
-    static const char call[] = "fmi3EnterEventMode";
-    const instance *instance = component;
-    if (instance != NULL && instance->state == STEP_MODE && instance->interface == CO_SIMULATION) {
-        return (fmi3Status)answer(instance, CALL_ERROR, call, "the instance was made without event mode");
-    }
-    return (fmi3Status)enter_event_mode(component, call, CONTINUOUS_TIME_MODE | STEP_MODE);
-}
-
-fmi3Status fmi3UpdateDiscreteStates(fmi3Instance component, fmi3Boolean *needs_update,
-                                    fmi3Boolean *terminate_simulation, fmi3Boolean *nominals_changed,
-                                    fmi3Boolean *states_changed, fmi3Boolean *next_time_defined,
-                                    fmi3Float64 *next_time) {
-    static const char call[] = "fmi3UpdateDiscreteStates";
-    if (!MAY_BEGIN(component, call, EVENT_MODE, 1, needs_update, terminate_simulation, nominals_changed,
-                   states_changed, next_time_defined, next_time)) {
-        return fmi3Error;
-    }
+static call_status discrete_states(instance *fmu, fmi3Boolean *needs_update, fmi3Boolean *terminate,
+                                   fmi3Boolean *nominals_changed, fmi3Boolean *states_changed,
+                                   fmi3Boolean *next_time_defined, fmi3Float64 *next_time) {
     discrete_update update = {0};
-    const call_status status = update_discrete_states(component, call, &update);
+    if (!ARE_GIVEN(fmu, 1, needs_update, terminate, nominals_changed, states_changed, next_time_defined,
+                   next_time)) {
+        return CALL_ERROR;
+    }
+    const call_status status = update_discrete_states(fmu, &update);
     *needs_update = *nominals_changed = fmi3False;
-    *terminate_simulation = update.terminate;
+    *terminate = update.terminate;
     *states_changed = update.states_changed;
     *next_time_defined = update.next_time_defined;
     *next_time = update.next_time;
-    return (fmi3Status)status;
+    return status;
 }
 
-/* Refuses calls of one interface in states that the other interface has, too. */
-static bool has_interface(const instance *instance, const char *call, bool is_exchange) {
-    if (instance != NULL && (instance->interface == MODEL_EXCHANGE) != is_exchange) {
-        answer(instance, CALL_ERROR, call, "not allowed in %s",
-               is_exchange ? "Co-Simulation" : "Model Exchange");
-        return false;
-    }
-    return true;
-}
-
-CALL(EnterContinuousTimeMode, (fmi3Instance c),
-     has_interface(c, call, true) ? enter_state(c, call, EVENT_MODE, CONTINUOUS_TIME_MODE) : CALL_ERROR)
-CALL(EnterStepMode, (fmi3Instance c),
-     has_interface(c, call, false) ? enter_state(c, call, EVENT_MODE, STEP_MODE) : CALL_ERROR)
+CALL(EnterEventMode, ENTERS_EVENT_MODE, (fmi3Instance c), enter_event_mode(c))
+CALL(UpdateDiscreteStates, MADE_IN_EVENT_MODE,
+     (fmi3Instance c, fmi3Boolean *needs_update, fmi3Boolean *terminate, fmi3Boolean *nominals_changed,
+      fmi3Boolean *states_changed, fmi3Boolean *next_time_defined, fmi3Float64 *next_time),
+     discrete_states(c, needs_update, terminate, nominals_changed, states_changed, next_time_defined,
+                     next_time))
+CALL(EnterContinuousTimeMode, ENTERS_CONTINUOUS_TIME, (fmi3Instance c), enter_state(c, CONTINUOUS_TIME_MODE))
+CALL(EnterStepMode, ENTERS_STEP_MODE, (fmi3Instance c), enter_state(c, STEP_MODE))
 
 /* "If providesEvaluateDiscreteStates is true ..., else function is ignored" (FMI 3.0, section 2.3.5). */
-CALL(EvaluateDiscreteStates, (fmi3Instance c), call_is_allowed(c, call, EVENT_MODE) ? CALL_OK : CALL_ERROR)
+CALL(EvaluateDiscreteStates, MADE_IN_EVENT_MODE, (fmi3Instance c), CALL_OK)
 
 /* ---- Model Exchange ------------------------------------------------------------------------------------ */
 
-fmi3Status fmi3CompletedIntegratorStep(fmi3Instance component, fmi3Boolean no_set_state_before,
-                                       fmi3Boolean *enter_event_mode, fmi3Boolean *terminate_simulation) {
-    bool asks = false;
-    const call_status status = complete_step(component, "fmi3CompletedIntegratorStep", enter_event_mode,
-                                             terminate_simulation, &asks);
-    if (status == CALL_OK) {
-        *enter_event_mode = asks;
-        *terminate_simulation = fmi3False;
+static call_status completed_step(instance *fmu, fmi3Boolean *enter_event_mode, fmi3Boolean *terminate) {
+    if (!ARE_GIVEN(fmu, 1, enter_event_mode, terminate)) {
+        return CALL_ERROR;
     }
-    return (fmi3Status)status;
+    *enter_event_mode = complete_step(fmu);
+    *terminate = fmi3False;
+    return CALL_OK;
 }
 
-CALL(SetTime, (fmi3Instance c, fmi3Float64 time),
-     has_interface(c, call, true) ? set_time(c, call, time) : CALL_ERROR)
-CALL(SetContinuousStates, (fmi3Instance c, const fmi3Float64 states[], size_t count),
-     set_states(c, call, states, count))
-CALL(GetContinuousStates, (fmi3Instance c, fmi3Float64 states[], size_t count),
-     get_states(c, call, states, count))
-CALL(GetContinuousStateDerivatives, (fmi3Instance c, fmi3Float64 derivatives[], size_t count),
-     get_derivatives(c, call, derivatives, count))
-CALL(GetEventIndicators, (fmi3Instance c, fmi3Float64 indicators[], size_t count),
-     get_indicators(c, call, indicators, count))
-CALL(GetNominalsOfContinuousStates, (fmi3Instance c, fmi3Float64 nominals[], size_t count),
-     get_nominals(c, call, nominals, count))
+CALL(CompletedIntegratorStep, INTEGRATES,
+     (fmi3Instance c, fmi3Boolean no_set_state_before, fmi3Boolean *event_mode, fmi3Boolean *terminate),
+     completed_step(c, event_mode, terminate))
+CALL(SetTime, SETS_TIME, (fmi3Instance c, fmi3Float64 time), set_time(c, time))
+CALL(SetContinuousStates, INTEGRATES, (fmi3Instance c, const fmi3Float64 states[], size_t count),
+     set_states(c, states, count))
+CALL(GetContinuousStates, EVALUATES, (fmi3Instance c, fmi3Float64 states[], size_t count),
+     get_states(c, states, count))
+CALL(GetContinuousStateDerivatives, EVALUATES, (fmi3Instance c, fmi3Float64 derivatives[], size_t count),
+     get_derivatives(c, derivatives, count))
+CALL(GetEventIndicators, EVALUATES, (fmi3Instance c, fmi3Float64 indicators[], size_t count),
+     get_indicators(c, indicators, count))
+CALL(GetNominalsOfContinuousStates, ASKS_FOR_NOMINALS, (fmi3Instance c, fmi3Float64 nominals[], size_t count),
+     get_nominals(c, nominals, count))
 
 /* The counts never change. */
-static call_status get_count(const instance *instance, const char *call, size_t value, size_t *count) {
-    if (!MAY_BEGIN(instance, call, ANYWHERE, 1, count)) {
+static call_status get_count(const instance *fmu, size_t value, size_t *count) {
+    if (!ARE_GIVEN(fmu, 1, count)) {
         return CALL_ERROR;
     }
     *count = value;
     return CALL_OK;
 }
 
-CALL(GetNumberOfEventIndicators, (fmi3Instance c, size_t *count), get_count(c, call, UNIT_GUARD_COUNT, count))
-CALL(GetNumberOfContinuousStates, (fmi3Instance c, size_t *count),
-     get_count(c, call, UNIT_CONTINUOUS_COUNT, count))
+CALL(GetNumberOfEventIndicators, MADE_EVER, (fmi3Instance c, size_t *count),
+     get_count(c, UNIT_GUARD_COUNT, count))
+CALL(GetNumberOfContinuousStates, MADE_EVER, (fmi3Instance c, size_t *count),
+     get_count(c, UNIT_CONTINUOUS_COUNT, count))
 
 /* ---- Co-Simulation ------------------------------------------------------------------------------------- */
 
 /* A step with event mode and early return ends at the first event, at its exact time and before it is taken;
  * fmi3UpdateDiscreteStates takes it. Otherwise events are taken inside the step, and event mode serves to let
  * inputs jump. */
-fmi3Status fmi3DoStep(fmi3Instance component, fmi3Float64 time, fmi3Float64 step,
-                      fmi3Boolean no_set_state_before, fmi3Boolean *event_handling_needed,
-                      fmi3Boolean *terminate_simulation, fmi3Boolean *early_return,
-                      fmi3Float64 *last_successful_time) {
-    static const char call[] = "fmi3DoStep";
-    if (!MAY_BEGIN(component, call, STEP_MODE, 1, event_handling_needed, terminate_simulation, early_return,
-                   last_successful_time)) {
-        return fmi3Error;
+static call_status do_step(fmi3_instance *own, double time, double step, fmi3Boolean *event_handling_needed,
+                           fmi3Boolean *terminate, fmi3Boolean *early_return, fmi3Float64 *last_time) {
+    instance *fmu = &own->instance;
+    if (!ARE_GIVEN(fmu, 1, event_handling_needed, terminate, early_return, last_time)) {
+        return CALL_ERROR;
     }
-    fmi3_instance *own = component;
-    const bool stop_at_event =
-        own->instance.interface == CO_SIMULATION_WITH_EVENT_MODE && own->early_return_allowed;
-    bool event = false;
-    const call_status status = step_on(component, call, time, step, stop_at_event, &event);
-    *event_handling_needed = event;
-    *terminate_simulation = fmi3False;
-    *last_successful_time = own->instance.fmu.time;
-    *early_return = event && *last_successful_time < time + step;
-    return (fmi3Status)status;
+    const call_status status = make_step(
+        fmu, time, step, fmu->run.interface == CO_SIMULATION_WITH_EVENT_MODE && own->early_return_allowed);
+    *event_handling_needed = status == CALL_OK && fmu->run.event_is_pending;
+    *terminate = fmi3False;
+    *last_time = fmu->run.time;
+    *early_return = *event_handling_needed && *last_time < time + step;
+    return status;
 }
 
-CALL(GetOutputDerivatives,
-     (fmi3Instance c, REFERENCES, const fmi3Int32 orders[], fmi3Float64 values[], size_t value_count),
-     call_is_allowed(c, call, ANYWHERE) && array_is_given(c, call, values, value_count, count)
-         ? output_derivatives(c, call, references, count, (const int *)orders, values)
-         : CALL_ERROR)
+CALL(DoStep, MAKES_STEP,
+     (fmi3Instance c, fmi3Float64 time, fmi3Float64 step, fmi3Boolean no_set_state_before,
+      fmi3Boolean *event_handling_needed, fmi3Boolean *terminate, fmi3Boolean *early_return,
+      fmi3Float64 *last_successful_time),
+     do_step(c, time, step, event_handling_needed, terminate, early_return, last_successful_time))
+CALL_WITH_VALUES(GetOutputDerivatives, FOLLOWS_STEP,
+                 (fmi3Instance c, REFERENCES, const fmi3Int32 orders[], fmi3Float64 values[],
+                  size_t value_count),
+                 output_derivatives(c, references, count, (const int *)orders, values))
 
 /* ---- functions that every unit has to export, for what this unit does not have ------------------------- */
 
 /* This unit has none, so only empty requests succeed. */
-static call_status accept_empty(const instance *instance, const char *call, bool is_asked, const char *what) {
-    if (!call_is_allowed(instance, call, ANYWHERE)) {
-        return CALL_ERROR;
-    }
-    return is_asked ? answer(instance, CALL_ERROR, call, "the unit has no %s", what) : CALL_OK;
+static call_status accept_empty(const instance *fmu, bool is_asked, const char *what) {
+    return is_asked ? answer(fmu, CALL_ERROR, "the unit has no %s", what) : CALL_OK;
 }
 
-#define NONE_OF(what) accept_empty(c, call, count > 0 || value_count > 0, what)
+#define NONE_OF(what) accept_empty(c, count > 0 || value_count > 0, what)
 #define NO_VARIABLES(Type)                                                                                   \
-    CALL(Get##Type, (fmi3Instance c, REFERENCES, fmi3##Type values[], size_t value_count),                   \
+    CALL(Get##Type, MADE_EVER, (fmi3Instance c, REFERENCES, fmi3##Type values[], size_t value_count),        \
          NONE_OF("variable of type " #Type))                                                                 \
-    CALL(Set##Type, (fmi3Instance c, REFERENCES, const fmi3##Type values[], size_t value_count),             \
+    CALL(Set##Type, MADE_EVER, (fmi3Instance c, REFERENCES, const fmi3##Type values[], size_t value_count),  \
          NONE_OF("variable of type " #Type))
 
 NO_VARIABLES(Float32)
@@ -315,14 +296,15 @@ NO_VARIABLES(Int16)
 NO_VARIABLES(UInt16)
 NO_VARIABLES(UInt32)
 NO_VARIABLES(UInt64)
-CALL(GetBinary, (fmi3Instance c, REFERENCES, size_t sizes[], fmi3Binary values[], size_t value_count),
+CALL(GetBinary, MADE_EVER,
+     (fmi3Instance c, REFERENCES, size_t sizes[], fmi3Binary values[], size_t value_count),
      NONE_OF("variable of type Binary"))
-CALL(SetBinary,
+CALL(SetBinary, MADE_EVER,
      (fmi3Instance c, REFERENCES, const size_t sizes[], const fmi3Binary values[], size_t value_count),
      NONE_OF("variable of type Binary"))
 
 #define NO_CLOCKS(name, ...)                                                                                 \
-    CALL(name, (fmi3Instance c, REFERENCES, __VA_ARGS__), accept_empty(c, call, count > 0, "clock"))
+    CALL(name, MADE_EVER, (fmi3Instance c, REFERENCES, __VA_ARGS__), accept_empty(c, count > 0, "clock"))
 
 NO_CLOCKS(GetClock, fmi3Clock values[])
 NO_CLOCKS(SetClock, const fmi3Clock values[])
@@ -335,15 +317,16 @@ NO_CLOCKS(SetIntervalDecimal, const fmi3Float64 intervals[])
 NO_CLOCKS(SetIntervalFraction, const fmi3UInt64 counters[], const fmi3UInt64 resolutions[])
 NO_CLOCKS(SetShiftDecimal, const fmi3Float64 shifts[])
 NO_CLOCKS(SetShiftFraction, const fmi3UInt64 counters[], const fmi3UInt64 resolutions[])
-CALL(ActivateModelPartition, (fmi3Instance c, fmi3ValueReference clock, fmi3Float64 time),
-     accept_empty(c, call, true, "clock"))
+CALL(ActivateModelPartition, MADE_EVER, (fmi3Instance c, fmi3ValueReference clock, fmi3Float64 time),
+     accept_empty(c, true, "clock"))
 
-CALL(EnterConfigurationMode, (fmi3Instance c), accept_empty(c, call, true, "structural parameter"))
-CALL(ExitConfigurationMode, (fmi3Instance c), accept_empty(c, call, true, "structural parameter"))
-CALL(GetNumberOfVariableDependencies, (fmi3Instance c, fmi3ValueReference reference, size_t *count),
-     accept_empty(c, call, true, "dependencies per array element"))
-CALL(GetVariableDependencies,
+CALL(EnterConfigurationMode, MADE_EVER, (fmi3Instance c), accept_empty(c, true, "structural parameter"))
+CALL(ExitConfigurationMode, MADE_EVER, (fmi3Instance c), accept_empty(c, true, "structural parameter"))
+CALL(GetNumberOfVariableDependencies, MADE_EVER,
+     (fmi3Instance c, fmi3ValueReference reference, size_t *count),
+     accept_empty(c, true, "dependencies per array element"))
+CALL(GetVariableDependencies, MADE_EVER,
      (fmi3Instance c, fmi3ValueReference dependent, size_t dependent_elements[],
       fmi3ValueReference independents[], size_t independent_elements[], fmi3DependencyKind kinds[],
       size_t count),
-     accept_empty(c, call, true, "dependencies per array element"))
+     accept_empty(c, true, "dependencies per array element"))

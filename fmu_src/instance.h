@@ -1,12 +1,14 @@
-/* An instance of the unit for both versions of FMI: a run, the state of its call sequence, and the importer's
- * logger. Every function here is a call of FMI 2.0 and 3.0 or a part of one. It takes the name of the call
- * for its messages and, where the versions differ, the states in which the call is allowed. */
+/* An instance of the unit for both versions of FMI.
+ *
+ * An instance is one struct: the run, which saved states copy, the values that follow from the run, and what
+ * belongs to the importer. A variable's storage and offset say where its value is, see access.c. A trial of
+ * something that may be refused is made on a copy of the instance or of its run. */
 #ifndef TDMF_FMU_INSTANCE_H
 #define TDMF_FMU_INSTANCE_H
 
 #include "variables.h"
 
-#include <stdint.h>
+#include <math.h>
 
 /* Calls of FMI have arguments that the unit does not need. */
 #ifdef __GNUC__
@@ -15,11 +17,18 @@
 #pragma warning(disable : 4100)
 #endif
 
-/* Numbered as fmi2Status and fmi3Status are. */
+enum { WORD_CAPACITY = 64, TEXT_CAPACITY = 256, NUMBER_CAPACITY = 32, VALUE_CAPACITY = 64 };
+
+/* Numbered as fmi2Status and fmi3Status are.
+ *
+ *     CALL_DISCARD   the call changed nothing and the run goes on
+ *     CALL_ERROR     the call was out of place and changed nothing. The standards leave open what becomes of
+ *                    the instance then; it stays as it was. */
 typedef enum { CALL_OK, CALL_WARNING, CALL_DISCARD, CALL_ERROR } call_status;
 
-/* States of the state machines of FMI 2.0 (sections 3.2.3, 4.2.4) and 3.0 (2.3.1, 3.2, 4.2); a set of them
- * says where a function may be called. */
+typedef enum { MODEL_EXCHANGE, CO_SIMULATION, CO_SIMULATION_WITH_EVENT_MODE, INTERFACE_COUNT } interface_kind;
+
+/* States of the state machines of FMI 2.0 (sections 3.2.3, 4.2.4) and 3.0 (2.3.1, 3.2, 4.2). */
 typedef enum {
     INSTANTIATED = 1 << 0,
     INITIALIZATION_MODE = 1 << 1,
@@ -33,106 +42,176 @@ typedef enum {
     ANYWHERE = BEFORE_START | RUNNING | TERMINATED | FAILED
 } call_state;
 
-typedef enum { MODEL_EXCHANGE, CO_SIMULATION, CO_SIMULATION_WITH_EVENT_MODE } interface_kind;
+/* Kinds of calls, by the states of the state machine in which they are allowed: see call_begins. */
+typedef enum {
+    MADE_EVER,
+    MADE_BEFORE_INITIALIZATION,
+    MADE_IN_INITIALIZATION,
+    MADE_WHILE_RUNNING,
+    SETS_VALUES,
+    SETS_RATES,
+    ENTERS_EVENT_MODE,
+    ENTERS_EVENT_MODE_AGAIN, /* as FMI 2.0 allows it in event mode, too */
+    MADE_IN_EVENT_MODE,
+    ENTERS_CONTINUOUS_TIME,
+    ENTERS_STEP_MODE,
+    SETS_TIME,
+    INTEGRATES, /* made by an importer's solver */
+    EVALUATES,
+    ASKS_FOR_NOMINALS,
+    MAKES_STEP,
+    FOLLOWS_STEP,
+    CALL_KIND_COUNT
+} call_kind;
 
-/* Categories of messages, as declared in the model description: one for each status, where that of CALL_OK is
- * for events. Any of them may be switched on together. */
-enum { LOG_EVENTS = 1 << CALL_OK, LOG_ALL = (1 << (CALL_ERROR + 1)) - 1 };
+/* State of the motion between calls of the driver. If a mode has its own coordinates, Co-Simulation computes
+ * the world's from them, and Model Exchange computes them from the world's. `shown` is the mode whose outputs
+ * are shown: the present mode, or the mode before if the run has ended and keeps its outputs. */
+typedef struct {
+    double numbers[UNIT_NUMBER_COUNT + 1];
+    double time, time_rest; /* the page's time */
+    uint64_t taken, above, late;
+    int64_t chain;
+    int32_t mode, shown;
+} unit_motion;
+
+/* All that saved states copy: plain data without padding. saved_state.c lists the fields with their ranges.
+ */
+typedef struct {
+    int32_t interface, state; /* an interface_kind and a call_state */
+    int32_t has_begun;        /* 0 or 1, as are event_is_pending and has_jumped */
+    int32_t event_is_pending; /* in Co-Simulation with event mode: the run stands just before an event */
+    int32_t has_jumped;       /* since the last update a jump of an input has changed states */
+    int32_t event;            /* number of the pending event */
+    unit_motion motion;
+    double time;  /* the importer's time */
+    double epoch; /* the importer's time at the page's time 0 */
+    double settings[SETTING_COUNT];
+    double starts[UNIT_STATE_COUNT + 1]; /* start values of states in other coordinates than the world's */
+    double importer_tolerance;           /* infinite if the importer gives none */
+    double stop_time;                    /* infinite if the importer gives none */
+    /* The numbers when states were last changed for jumps; in Model Exchange also the rates of states then.
+     */
+    double accounted[UNIT_NUMBER_COUNT + 1], accounted_rates[UNIT_STATE_COUNT + 1], accounted_time;
+    int64_t work[WORK_COUNT];
+    unsigned char watch[8 * (UNIT_EVENT_COUNT / 8 + 1)]; /* a watch_state for each event */
+} unit_run;
+
+/* Values that follow from a run, computed on request. */
+typedef struct {
+    double
+        numbers[UNIT_NUMBER_COUNT + 1]; /* those of the run, with times as the importer's clock shows them */
+    double derivatives[UNIT_CONTINUOUS_COUNT + 1];
+    double guards[UNIT_GUARD_COUNT + 1];
+    double outputs[UNIT_OUTPUT_COUNT + 1];
+} unit_view;
 
 /* First member of each version's own instance, which adds the importer's callbacks. */
 typedef struct instance {
-    fmu fmu;
-    fmu_view view;
+    unit_run run;
+    unit_view view; /* before the run: of the run that would start now */
     bool view_is_current;
-    interface_kind interface;
-    call_state state;
-    unsigned log_categories;
-    bool log_was_chosen; /* true after a call of fmi2SetDebugLogging or fmi3SetDebugLogging */
+    char words[UNIT_WORD_COUNT + 1][WORD_CAPACITY]; /* texts that the importer has asked for */
+    char reason[TEXT_CAPACITY];                     /* why a function has returned false */
+    const char *call;                               /* name of the call of FMI that is being made */
+    int64_t step_limit;                             /* limit of the solver's steps in a call */
+    double *memory, *instant; /* working memory of a run and of an instant; it holds nothing between calls */
+    unsigned log_categories;  /* a bit for each status, where that of CALL_OK is for events */
+    bool log_was_chosen;      /* true after a call of fmi2SetDebugLogging or fmi3SetDebugLogging */
     char *name;
     /* Passes a message to the importer, if it has a logger. */
-    void (*send)(const struct instance *instance, call_status status, const char *category, const char *text);
+    void (*send)(const struct instance *fmu, call_status status, const char *category, const char *text);
 } instance;
 
-/* ---- log.c -------------------------------------------------------------------------------------------- */
+static inline bool is_exchange(const instance *fmu) {
+    return fmu->run.interface == MODEL_EXCHANGE;
+}
 
-/* Passes a message about a call to the importer if the category of its status is on, and returns the status.
- *
- *     CALL_DISCARD   the call changed nothing and the run goes on
- *     CALL_ERROR     the call was out of place and changed nothing. The standards leave open what becomes of
- *                    the instance then; it stays as it was. */
-call_status answer(const instance *instance, call_status status, const char *call, const char *format, ...);
+/* Numbers of a run are never written through a constant instance. */
+static inline double *parameters_of(const instance *fmu) {
+    return (double *)(size_t)fmu->run.motion.numbers;
+}
 
-/* Reports an event. */
-void log_event(const instance *observer, const char *text);
+static inline double *states_of(const instance *fmu) {
+    return parameters_of(fmu) + UNIT_PARAMETER_COUNT;
+}
 
-/* The instance as an observer of events; NULL while the events' category is off. */
-const instance *observer_of(const instance *instance);
+/* The largest time that a clock may show: differences, sums and ratios of such times are numbers. */
+#define largest_time 1e100
 
-/* Switches categories on or off by name, or all of them if no names are given. The first call that switches
- * some on replaces those that the instance was made with. Unknown names give a warning. */
-call_status set_logging(instance *instance, const char *call, bool on, size_t count,
-                        const char *const names[]);
+static inline bool is_time(double time) {
+    return fabs(time) <= largest_time;
+}
 
-/* A number for a message, with a decimal point in every locale; returns `text`. */
-enum { NUMBER_CAPACITY = 32 };
-char *number_text(double number, char text[NUMBER_CAPACITY]);
-
-/* ---- calls.c ------------------------------------------------------------------------------------------ */
+/* ---- calls.c: life cycle, checks and messages ---------------------------------------------------------- */
 
 /* Makes an instance of `size` bytes, which are zero beyond its first member. NULL if it is refused: `reason`
  * says why. It is NULL before the call, unless the caller has a reason of its own. */
 void *instance_new(size_t size, const char *name, const char *token, interface_kind interface, bool logging,
                    const char **reason);
-void instance_free(instance *instance);
+void instance_free(instance *fmu);
+call_status reset(instance *fmu);
 
-/* Position of the highest bit that is set: 0 for 1, 3 for 8. Enumerators that are bits have their names there
- * in a table. */
-int number_of_bit(unsigned bit);
+/* Goes to another state of the call sequence, and does nothing else. */
+call_status enter_state(instance *fmu, call_state state);
+
+/* True if a call of this name may be made now; else refuses it. A null instance is refused, too. */
+bool call_begins(instance *fmu, const char *call, call_kind kind);
 
 const char *name_of_state(call_state state);
 
 /* True if an instance may be in a state of the call sequence, its run begun or not. */
 bool state_suits_interface(unsigned state, interface_kind interface, bool begun);
 
-/* True if `call` may be made now; else refuses it. A null instance is refused too. */
-bool call_is_allowed(const instance *instance, const char *call, unsigned allowed_states);
-
 /* True if an array of the right length was given; else refuses the call. */
-bool array_is_given(const instance *instance, const char *call, const void *array, size_t count,
-                    size_t wanted);
+bool array_is_given(const instance *fmu, const void *array, size_t count, size_t wanted);
 
-/* True if `call` may be made now, and each of these arrays of `count` elements was given; else refuses it. */
-bool call_may_begin(const instance *instance, const char *call, unsigned allowed_states, size_t count,
-                    const void *const arrays[], size_t array_count);
-#define MAY_BEGIN(instance, call, allowed_states, count, ...)                                                \
-    call_may_begin(instance, call, allowed_states, count, (const void *const[]){__VA_ARGS__},                \
-                   sizeof((const void *const[]){__VA_ARGS__}) / sizeof(void *))
+/* True if each of these arrays of `count` elements was given; else refuses the call. */
+bool arrays_are_given(const instance *fmu, size_t count, const void *const arrays[], size_t array_count);
+#define ARE_GIVEN(fmu, count, ...)                                                                           \
+    arrays_are_given(fmu, count, (const void *const[]){__VA_ARGS__},                                         \
+                     sizeof((const void *const[]){__VA_ARGS__}) / sizeof(void *))
 
-/* Goes from one of the states `from` of the call sequence to another one, and does nothing else. */
-call_status enter_state(instance *instance, const char *call, unsigned from, call_state to);
+/* Passes a message about the call to the importer if the category of its status is on, and returns the
+ * status. */
+call_status answer(const instance *fmu, call_status status, const char *format, ...);
 
-/* The unit. Until its run has begun, `preview`, which is the unit started from the values set so far. NULL if
- * these values contradict each other; `status` is then that of the refusal. */
-const fmu *present_fmu(const instance *instance, const char *call, fmu *preview, call_status *status);
+/* Writes the reason why a function of the instance returns false, and returns false. */
+bool refuse(instance *fmu, const char *format, ...);
 
-/* The outputs and derivatives for the present values. NULL if the start values contradict each other;
- * `status` is then that of the refusal. */
-const fmu_view *current_view(instance *instance, const char *call, call_status *status);
+/* True if events are to be reported, by log_event. */
+bool logs_events(const instance *fmu);
+void log_event(const instance *fmu, const char *text);
 
-/* Discards the view, because something that outputs or derivatives depend on has changed. */
-void discard_view(instance *instance);
+/* Switches categories on or off by name, or all of them if no names are given. The first call that switches
+ * some on replaces those that the instance was made with. Unknown names give a warning. */
+call_status set_logging(instance *fmu, bool on, size_t count, const char *const names[]);
 
-call_status set_experiment(instance *instance, const char *call, bool tolerance_defined, double tolerance,
-                           double start_time, bool stop_time_defined, double stop_time);
-call_status exit_initialization(instance *instance, const char *call);
-call_status reset(instance *instance, const char *call);
+/* A number for a message, with a decimal point in every locale; a variable's value with its unit. Both return
+ * `text`. */
+char *number_text(double number, char text[NUMBER_CAPACITY]);
+char *value_text(const fmu_variable *variable, double value, char text[VALUE_CAPACITY]);
 
-/* ---- access.c ----------------------------------------------------------------------------------------- */
+/* Position of the highest bit that is set: 0 for 1, 3 for 8. */
+int number_of_bit(unsigned bit);
+
+/* ---- access.c: variables ------------------------------------------------------------------------------- */
+
+/* The place of a variable's value. */
+double *place_of(const instance *fmu, fmu_storage storage, size_t offset);
+
+/* A numeric variable's value. The view is current if the value is in it. */
+double number_of(const instance *fmu, const fmu_variable *variable);
+
+/* The rate of an input, per second, in the run; NULL: it has none. */
+double *rate_of(const instance *fmu, const fmu_variable *input);
+
+/* True if a variable may have this value. */
+bool is_allowed(instance *fmu, const fmu_variable *variable, double value);
 
 /* Finds the variable of a value reference, which must be of one of `types`. Refuses the call and returns NULL
  * if there is none. */
-const fmu_variable *find_variable(const instance *instance, const char *call, uint32_t reference,
-                                  unsigned types);
+const fmu_variable *find_variable(const instance *fmu, uint32_t reference, unsigned types);
 
 /* Access to numbers in the importer's arrays: one function for each of its types. */
 typedef void (*number_writer)(void *values, size_t i, double number);
@@ -140,8 +219,8 @@ typedef double (*number_reader)(const void *values, size_t i);
 void write_double(void *values, size_t i, double number);
 double read_double(const void *values, size_t i);
 
-call_status get_numbers(instance *instance, const char *call, unsigned types, const uint32_t references[],
-                        size_t count, void *values, number_writer write);
+call_status get_numbers(instance *fmu, unsigned types, const uint32_t references[], size_t count,
+                        void *values, number_writer write);
 
 /* A set is all or nothing; it checks each variable's own range, while checks across variables wait for the
  * end of initialization, because importers set one by one in any order. Which variables may be set when:
@@ -155,42 +234,32 @@ call_status get_numbers(instance *instance, const char *call, unsigned types, co
  * In continuous-time mode, variables that change at events only keep their values, and a call that sets
  * another value gives a warning. Setting an input also sets its rate to 0.
  * (FMI 2.0, table of section 3.2.3, whose note 5 has the states; FMI 3.0.2, sections 2.3.5 and 3.2.1.) */
-call_status set_numbers(instance *instance, const char *call, unsigned types, const uint32_t references[],
-                        size_t count, const void *values, number_reader read);
+call_status set_numbers(instance *fmu, unsigned types, const uint32_t references[], size_t count,
+                        const void *values, number_reader read);
 
-call_status get_texts(instance *instance, const char *call, const uint32_t references[], size_t count,
-                      const char *values[]);
-call_status set_texts(instance *instance, const char *call, const uint32_t references[], size_t count,
-                      const char *const values[]);
+call_status get_texts(instance *fmu, const uint32_t references[], size_t count, const char *values[]);
+call_status set_texts(instance *fmu, const uint32_t references[], size_t count, const char *const values[]);
 
-/* ---- derivatives.c ------------------------------------------------------------------------------------ */
+/* ---- instant.c: values at an instant ------------------------------------------------------------------- */
 
-/* values = J seeds, and values = J^T seeds, with J the derivatives of the unknowns by the knowns. */
-call_status directional_derivative(instance *instance, const char *call, const uint32_t unknowns[],
-                                   size_t unknown_count, const uint32_t knowns[], size_t known_count,
-                                   const double seeds[], double values[]);
-call_status adjoint_derivative(instance *instance, const char *call, const uint32_t unknowns[],
-                               size_t unknown_count, const uint32_t knowns[], size_t known_count,
-                               const double seeds[], double values[]);
+/* The instance if its run has begun; else `preview`, which is a copy started from the values set so far. NULL
+ * if these values contradict each other: the call is refused. */
+const instance *present_instance(const instance *fmu, instance *preview);
 
-/* Gives the first derivatives of outputs by time. */
-call_status output_derivatives(instance *instance, const char *call, const uint32_t references[],
-                               size_t count, const int orders[], double values[]);
+/* Makes the view current. False if the start values contradict each other: the call is refused. */
+bool bring_view_up_to_date(instance *fmu);
 
-/* ---- saved_state.c ------------------------------------------------------------------------------------ */
+/* Writes a word as a text for the importer, and returns it. */
+const char *word_text(instance *fmu, size_t word);
 
-call_status save_state(instance *instance, const char *call, void **state);
-call_status restore_state(instance *instance, const char *call, const void *state);
-call_status free_state(instance *instance, const char *call, void **state);
-call_status measure_state(instance *instance, const char *call, const void *state, size_t *size);
-call_status serialize_state(instance *instance, const char *call, const void *state, void *bytes,
-                            size_t size);
-call_status deserialize_state(instance *instance, const char *call, const void *bytes, size_t size,
-                              void **state);
+/* ---- run.c: start, events and steps -------------------------------------------------------------------- */
 
-/* ---- stepping.c --------------------------------------------------------------------------------------- */
+call_status set_experiment(instance *fmu, bool tolerance_defined, double tolerance, double start_time,
+                           bool stop_time_defined, double stop_time);
 
-call_status enter_event_mode(instance *instance, const char *call, unsigned allowed_states);
+call_status exit_initialization(instance *fmu);
+
+call_status enter_event_mode(instance *fmu);
 
 typedef struct {
     bool states_changed;
@@ -198,22 +267,45 @@ typedef struct {
     bool next_time_defined;
     double next_time; /* time of a time event, at which the solver's step has to end; or 0 */
 } discrete_update;
-call_status update_discrete_states(instance *instance, const char *call, discrete_update *update);
 
-/* `asks` becomes true if event mode is needed. The importer's own places for answers must be given. */
-call_status complete_step(instance *instance, const char *call, const void *event_mode, const void *terminate,
-                          bool *asks);
+/* Takes a pending event and all others that are due now. */
+call_status update_discrete_states(instance *fmu, discrete_update *update);
 
-call_status set_time(instance *instance, const char *call, double time);
-call_status set_states(instance *instance, const char *call, const double states[], size_t count);
-call_status get_states(instance *instance, const char *call, double states[], size_t count);
-call_status get_derivatives(instance *instance, const char *call, double derivatives[], size_t count);
-call_status get_indicators(instance *instance, const char *call, double indicators[], size_t count);
-call_status get_nominals(instance *instance, const char *call, double nominals[], size_t count);
+/* Model Exchange: records the guards and largest values after a completed step. True if event mode is needed,
+ * because a guard is due or an input has changed whose jumps change other states. */
+bool complete_step(instance *fmu);
+
+call_status set_time(instance *fmu, double time);
+call_status set_states(instance *fmu, const double states[], size_t count);
+call_status get_states(instance *fmu, double states[], size_t count);
+call_status get_derivatives(const instance *fmu, double derivatives[], size_t count);
+call_status get_indicators(const instance *fmu, double indicators[], size_t count);
+call_status get_nominals(const instance *fmu, double nominals[], size_t count);
 
 /* Co-Simulation: a step to time + step; with `stop_at_event`, to the first event if that comes before or
- * then, which is left for an update of the discrete states to take and reported in `event`. */
-call_status step_on(instance *instance, const char *call, double time, double step, bool stop_at_event,
-                    bool *event);
+ * then, which is left for an update of the discrete states to take. A run that has ended stays readable,
+ * frozen. */
+call_status make_step(instance *fmu, double time, double step, bool stop_at_event);
+
+/* ---- derivatives.c ------------------------------------------------------------------------------------- */
+
+/* values = J seeds, and for the adjoint values = J^T seeds, with J the derivatives of the unknowns by the
+ * knowns. */
+call_status directional_derivative(instance *fmu, bool is_adjoint, const uint32_t unknowns[],
+                                   size_t unknown_count, const uint32_t knowns[], size_t known_count,
+                                   const double seeds[], double values[]);
+
+/* Gives the first derivatives of outputs by time. */
+call_status output_derivatives(const instance *fmu, const uint32_t references[], size_t count,
+                               const int orders[], double values[]);
+
+/* ---- saved_state.c ------------------------------------------------------------------------------------- */
+
+call_status save_state(instance *fmu, void **state);
+call_status restore_state(instance *fmu, const void *state);
+call_status free_state(void **state);
+call_status measure_state(const instance *fmu, const void *state, size_t *size);
+call_status serialize_state(const instance *fmu, const void *state, void *bytes, size_t size);
+call_status deserialize_state(instance *fmu, const void *bytes, size_t size, void **state);
 
 #endif

@@ -1,11 +1,10 @@
-/* Rates, guards, outputs and their variations at an instant. */
+/* Values of a run at an instant: coordinates, rates, guards and outputs. */
 #include "run.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-double *allocate_memory(fmu *fmu) {
+double *allocate_memory(instance *fmu) {
     const size_t whole = tdmf_run_memory_size(unit_model, 1),
                  part = unit_part == NULL ? 0 : tdmf_run_memory_size(unit_part->model, 1),
                  of_run = whole > part ? whole : part;
@@ -14,28 +13,11 @@ double *allocate_memory(fmu *fmu) {
     return fmu->memory;
 }
 
-const tdmf_mode_kind *mode_of(const fmu *fmu) {
-    return &unit_model->modes[fmu->motion.mode];
+tdmf_page_instant instant_of(const instance *fmu) {
+    return tdmf_instant_at(unit_model, fmu->run.motion.mode, parameters_of(fmu), states_of(fmu),
+                           fmu->instant);
 }
 
-const tdmf_mode_kind *shown_mode_of(const fmu *fmu) {
-    return &unit_model->modes[fmu->motion.shown];
-}
-
-/* Numbers of a run are never written through a constant one. */
-double *parameters_of(const fmu *fmu) {
-    return (double *)(size_t)fmu->motion.numbers;
-}
-
-double *states_of(const fmu *fmu) {
-    return parameters_of(fmu) + UNIT_PARAMETER_COUNT;
-}
-
-tdmf_page_instant instant_of(const fmu *fmu) {
-    return tdmf_instant_at(unit_model, fmu->motion.mode, parameters_of(fmu), states_of(fmu), fmu->instant);
-}
-
-/* NaN is out of every range. */
 const char *number_out_of_range(const double numbers[]) {
     for (int i = 0; i < UNIT_NUMBER_COUNT; ++i) {
         if (!(numbers[i] >= unit_numbers[i].least && numbers[i] <= unit_numbers[i].most)) {
@@ -45,19 +27,24 @@ const char *number_out_of_range(const double numbers[]) {
     return NULL;
 }
 
-/* ---- coordinates --------------------------------------------------------------------------------------- */
-
-void show_to_world(fmu *fmu) {
+void show_to_world(instance *fmu) {
     double room[UNIT_STATE_COUNT + 1];
-    tdmf_show_to_world(unit_model, fmu->motion.mode, parameters_of(fmu), states_of(fmu), room);
+    tdmf_show_to_world(unit_model, fmu->run.motion.mode, parameters_of(fmu), states_of(fmu), room);
 }
 
-void take_from_world(fmu *fmu) {
+void take_from_world(instance *fmu) {
     double room[UNIT_STATE_COUNT + 1];
-    tdmf_take_from_world(unit_model, fmu->motion.shown, parameters_of(fmu), states_of(fmu), room);
+    tdmf_take_from_world(unit_model, fmu->run.motion.shown, parameters_of(fmu), states_of(fmu), room);
 }
 
-/* ---- guards -------------------------------------------------------------------------------------------- */
+/* ---- what importers' solvers ask for ------------------------------------------------------------------- */
+
+/* Picks the continuous states of the unit from values by state. */
+static void pick_states(const double *values, double picked[]) {
+    for (int i = 0; i < UNIT_CONTINUOUS_COUNT; ++i) {
+        picked[i] = values[unit_states[i].index];
+    }
+}
 
 static double indicator(const tdmf_page_instant *at, const guard_state *guards, const unit_guard *row) {
     const tdmf_mode_kind *mode = at->mode;
@@ -77,26 +64,12 @@ static double indicator(const tdmf_page_instant *at, const guard_state *guards, 
     return isinf(least) ? 1.0 : least;
 }
 
-static void indicators_at(const fmu *fmu, const tdmf_page_instant *at, double indicators[]) {
+static void indicators_at(const instance *fmu, const tdmf_page_instant *at, double indicators[]) {
     guard_state guards[TDMF_GUARD_LIMIT];
-    tdmf_view_guards(at, fmu->watch, guards);
+    tdmf_view_guards(at, fmu->run.watch, guards);
     for (int i = 0; i < UNIT_GUARD_COUNT; ++i) {
         const double value = indicator(at, guards, &unit_guards[i]);
         indicators[i] = isnan(value) ? 1.0 : value;
-    }
-}
-
-void fmu_event_indicators(const fmu *fmu, double indicators[]) {
-    const tdmf_page_instant at = instant_of(fmu);
-    indicators_at(fmu, &at, indicators);
-}
-
-/* ---- rates --------------------------------------------------------------------------------------------- */
-
-/* Picks the continuous states of the unit from values by state. */
-static void pick_states(const double *values, double picked[]) {
-    for (int i = 0; i < UNIT_CONTINUOUS_COUNT; ++i) {
-        picked[i] = values[unit_states[i].index];
     }
 }
 
@@ -105,30 +78,25 @@ static void derivatives_at(const tdmf_page_instant *at, double derivatives[]) {
     tdmf_page_world_rates(at, rates);
     pick_states(rates, derivatives);
     for (int i = 0; i < UNIT_CONTINUOUS_COUNT; ++i) {
-        derivatives[i] = fmu_within_largest(derivatives[i]);
+        derivatives[i] = within_largest(derivatives[i]);
     }
 }
 
-void fmu_derivatives(const fmu *fmu, double derivatives[]) {
+void write_indicators(const instance *fmu, double indicators[]) {
+    const tdmf_page_instant at = instant_of(fmu);
+    indicators_at(fmu, &at, indicators);
+}
+
+void write_derivatives(const instance *fmu, double derivatives[]) {
     const tdmf_page_instant at = instant_of(fmu);
     derivatives_at(&at, derivatives);
 }
 
-void fmu_states(const fmu *fmu, const fmu_view *view, double states[]) {
+void write_states(const instance *fmu, double states[]) {
     pick_states(states_of(fmu), states);
-    for (int i = 0; view != NULL && i < UNIT_CONTINUOUS_COUNT; ++i) {
-        states[i] = unit_states[i].has_start ? states[i] : view->states[i];
-    }
 }
 
-void fmu_try_states(fmu *fmu, const double states[]) {
-    for (int i = 0; i < UNIT_CONTINUOUS_COUNT; ++i) {
-        states_of(fmu)[unit_states[i].index] = fmu_within_largest(states[i]);
-    }
-    take_from_world(fmu);
-}
-
-void fmu_nominals(const fmu *fmu, double nominals[]) {
+void write_nominals(const instance *fmu, double nominals[]) {
     const tdmf_page_instant at = instant_of(fmu);
     pick_states(at.scales, nominals);
     for (int i = 0; i < UNIT_NOMINAL_COUNT; ++i) {
@@ -136,12 +104,64 @@ void fmu_nominals(const fmu *fmu, double nominals[]) {
     }
 }
 
-/* ---- values of a run ----------------------------------------------------------------------------------- */
+/* ---- the view ------------------------------------------------------------------------------------------ */
+
+/* A time of the page as the importer's clock shows it; 0 for one before the run. */
+static double shown_time(const unit_run *run, double time) {
+    return time < 0.0 ? 0.0 : time == run->motion.time ? run->time : run->epoch + time;
+}
+
+void evaluate(instance *fmu) {
+    const tdmf_page_instant at = instant_of(fmu);
+    unit_view *view = &fmu->view;
+    memcpy(view->numbers, fmu->run.motion.numbers, sizeof view->numbers);
+    for (int i = 0; i < UNIT_STATE_COUNT; ++i) {
+        if (unit_holds_time[i]) {
+            view->numbers[UNIT_PARAMETER_COUNT + i] = shown_time(&fmu->run, states_of(fmu)[i]);
+        }
+    }
+    derivatives_at(&at, view->derivatives);
+    indicators_at(fmu, &at, view->guards);
+    shown_mode_of(fmu)->outputs(parameters_of(fmu), states_of(fmu), view->outputs);
+    for (int i = 0; i < UNIT_OUTPUT_COUNT; ++i) {
+        view->outputs[i] = within_largest(view->outputs[i]); /* trial states may give any value */
+    }
+}
+
+const instance *present_instance(const instance *fmu, instance *preview) {
+    if (fmu->run.has_begun) {
+        return fmu;
+    }
+    *preview = *fmu;
+    if (!start(preview)) {
+        answer(fmu, CALL_DISCARD, "no outputs yet: %s", preview->reason);
+        return NULL;
+    }
+    return preview;
+}
+
+bool bring_view_up_to_date(instance *fmu) {
+    if (!fmu->view_is_current && fmu->run.has_begun) {
+        evaluate(fmu);
+    } else if (!fmu->view_is_current) {
+        instance preview;
+        if (present_instance(fmu, &preview) == NULL) {
+            return false;
+        }
+        evaluate(&preview);
+        fmu->view = preview.view;
+    }
+    fmu->view_is_current = true;
+    return true;
+}
 
 /* Writes at most WORD_CAPACITY characters. A negative number stands for the beginning of a longer word. */
-static void write_word(double number, const char *alphabet, char *text) {
-    const double base = (double)strlen(alphabet);
-    char letters[WORD_CAPACITY];
+const char *word_text(instance *fmu, size_t word) {
+    const unit_word *row = &unit_words[word];
+    const double base = (double)strlen(row->alphabet);
+    double number =
+        row->is_output ? fmu->view.outputs[row->index] : fmu->view.numbers[UNIT_PARAMETER_COUNT + row->index];
+    char *text = fmu->words[word], letters[WORD_CAPACITY];
     int place = WORD_CAPACITY - 1;
     letters[place] = '\0';
     if (number < 0.0) {
@@ -149,59 +169,8 @@ static void write_word(double number, const char *alphabet, char *text) {
         number = -number;
     }
     for (; number >= 1.0 && place > 0; number = floor(number / base)) {
-        letters[--place] = alphabet[(int)fmod(number, base)];
+        letters[--place] = row->alphabet[(int)fmod(number, base)];
     }
     memcpy(text, letters + place, (size_t)(WORD_CAPACITY - place));
-}
-
-/* A time of the page as the importer's clock shows it; 0 for one before the run. */
-static double shown_time(const fmu *fmu, double time) {
-    return time < 0.0 ? 0.0 : time == fmu->motion.time ? fmu->time : fmu->epoch + time;
-}
-
-void fmu_evaluate(const fmu *fmu, fmu_view *view) {
-    const tdmf_page_instant at = instant_of(fmu);
-    memcpy(view->numbers, fmu->motion.numbers, sizeof view->numbers);
-    for (int i = 0; i < UNIT_STATE_COUNT; ++i) {
-        if (unit_holds_time[i]) {
-            view->numbers[UNIT_PARAMETER_COUNT + i] = shown_time(fmu, states_of(fmu)[i]);
-        }
-    }
-    fmu_states(fmu, NULL, view->states);
-    derivatives_at(&at, view->derivatives);
-    indicators_at(fmu, &at, view->guards);
-    shown_mode_of(fmu)->outputs(parameters_of(fmu), states_of(fmu), view->outputs);
-    for (int i = 0; i < UNIT_OUTPUT_COUNT; ++i) {
-        view->outputs[i] = fmu_within_largest(view->outputs[i]); /* trial states may give any value */
-    }
-    for (int i = 0; i < WORK_COUNT; ++i) {
-        view->work[i] = (double)fmu->work[i];
-    }
-    for (int i = 0; i < UNIT_WORD_COUNT; ++i) {
-        const double *of = unit_words[i].is_output ? view->outputs : states_of(fmu);
-        write_word(of[unit_words[i].index], unit_words[i].alphabet, view->words[i]);
-    }
-}
-
-/* ---- variations ---------------------------------------------------------------------------------------- */
-
-void vary_at(const fmu *fmu, const double *dp, const double *dx, fmu_view *variation) {
-    const tdmf_page_instant at = instant_of(fmu);
-    double d_rates[UNIT_STATE_COUNT + 1];
-    memset(variation, 0, sizeof *variation);
-    memcpy(variation->numbers, dp, UNIT_PARAMETER_COUNT * sizeof *dp);
-    memcpy(variation->numbers + UNIT_PARAMETER_COUNT, dx, UNIT_STATE_COUNT * sizeof *dx);
-    tdmf_vary_page_rates(&at, dp, dx, d_rates);
-    pick_states(d_rates, variation->derivatives);
-    shown_mode_of(fmu)->vary_outputs(at.p, at.x, dp, dx, variation->outputs);
-}
-
-void fmu_flow(const fmu *fmu, struct fmu *seed) {
-    const tdmf_page_instant at = instant_of(fmu);
-    memset(seed, 0, sizeof *seed);
-    tdmf_page_world_rates(&at, states_of(seed));
-    for (int i = 0; i < UNIT_CONTINUOUS_COUNT; ++i) {
-        double *rate = &states_of(seed)[unit_states[i].index];
-        *rate = fmu_within_largest(*rate);
-    }
+    return text;
 }

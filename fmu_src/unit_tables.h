@@ -3,8 +3,7 @@
 #define TDMF_FMU_UNIT_TABLES_H
 
 #include "page_part.h"
-
-#include "fmu.h"
+#include "variables.h"
 
 /* A continuous state of the unit, among the states of the page. */
 typedef struct {
@@ -46,7 +45,7 @@ typedef struct {
     tdmf_answer *size;
 } unit_nominal;
 
-/* A number of a run: a parameter or a state of the page. */
+/* A number of a run. */
 typedef struct {
     const char *name; /* name of its variable, else the page's own name */
     double least, most;
@@ -67,7 +66,7 @@ extern const unit_guard unit_guards[];
 extern const unit_word unit_words[];
 extern const unit_requirement unit_requirements[];
 extern const unit_enumeration unit_enumerations[];
-extern const unit_number unit_numbers[]; /* parameters, then states */
+extern const unit_number unit_numbers[];
 extern const unit_bound unit_bounds[];
 extern const unit_nominal unit_nominals[];
 extern const char *const unit_event_names[]; /* for messages */
@@ -75,6 +74,5 @@ extern const uint64_t unit_immediate_events; /* events whose guards are always b
 extern const int unit_input_rates[];         /* for each state of the page, the state that ramps it, or -1 */
 extern const int unit_clock;                 /* a state of the page, or -1 */
 extern const bool unit_holds_time[];         /* for each state of the page; negative before there is a time */
-extern const char *const unit_allowed[];     /* for each variable, its range in words, or NULL */
 
 #endif

@@ -1,12 +1,29 @@
-/* The unit's table of variables. Its rows are generated; a row's position is the variable's value reference.
- */
+/* The variables of a page's unit. The generator writes their table beside the tables of the page. */
 #ifndef TDMF_FMU_VARIABLES_H
 #define TDMF_FMU_VARIABLES_H
 
-#include "fmu.h"
+#include "unit_page.h" /* generated: sizes of the tables */
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
+
+/* Numbers of a run: the page's parameters, then its states. */
+enum { UNIT_NUMBER_COUNT = UNIT_PARAMETER_COUNT + UNIT_STATE_COUNT };
+
+/* Largest state and largest sum along a run. The first is far beyond any motion, and no product in the
+ * equations overflows with it. The second is beyond every sum of such states, and no product with it
+ * overflows either. */
+#define fmu_largest_state 1e60
+#define fmu_largest_sum   1e200
+
+/* Settings of the unit rather than of the page. */
+typedef enum { SETTING_TOLERANCE, SETTING_TERMINATES, SETTING_METHOD, SETTING_COUNT } fmu_setting;
+
+typedef enum { SOLVER_NATIVE = 1, SOLVER_CVODE } solver_method;
+
+/* Work of the solver in Co-Simulation. */
+typedef enum { WORK_STEPS, WORK_EVALUATIONS, WORK_LAYER_STEPS, WORK_COUNT } fmu_work;
 
 /* Types of variables. A set of them says which types a call takes. */
 typedef enum {
@@ -17,19 +34,20 @@ typedef enum {
     VARIABLE_STRING = 1 << 4
 } fmu_variable_type;
 
-/* The storage of a variable: up to STORED_START in the run, else in the view. */
+/* The array of an instance that has a variable's value: up to STORED_START one of the run. */
 typedef enum {
     STORED_TIME,
     STORED_PARAMETER,
     STORED_SETTING, /* a setting of the unit, not of its model */
     STORED_INPUT,
-    STORED_STATE,      /* number of a continuous state */
-    STORED_START,      /* start value of a state that the unit does not show */
-    STORED_DERIVATIVE, /* number of the state */
+    STORED_STATE, /* a continuous state */
+    STORED_START, /* start value of a state that the unit does not show */
+    STORED_DERIVATIVE,
     STORED_OUTPUT,
     STORED_HELD, /* a state of the model that changes at events only */
     STORED_GUARD,
-    STORED_WORK /* counter of the solver in Co-Simulation */
+    STORED_WORK, /* counter of the solver in Co-Simulation */
+    STORAGE_COUNT
 } fmu_storage;
 
 typedef enum {
@@ -49,8 +67,10 @@ typedef struct {
     bool settable_before_start;
     bool changes_at_events; /* FMI's reinit: a state that an event may make jump */
     double minimum, maximum, start;
+    const char *allowed; /* the range in words, or NULL */
 } fmu_variable;
 
+/* A row's position is the variable's value reference. */
 extern const fmu_variable fmu_variables[];
 extern const size_t fmu_variable_count;
 
@@ -60,21 +80,5 @@ static inline bool fmu_is_set_at_events(const fmu_variable *variable) {
     return variable->variability == VARIABILITY_TUNABLE ||
            (variable->storage == STORED_INPUT && variable->variability == VARIABILITY_DISCRETE);
 }
-
-/* The reason why a variable may not have this value, written into `text`; NULL if it may. */
-const char *fmu_refuse_value(const fmu_variable *variable, double value, char text[FMU_TEXT]);
-
-/* A numeric variable's value; outputs and derivatives are read from `view`. */
-double fmu_get_number(const fmu *fmu, const fmu_view *view, const fmu_variable *variable);
-
-/* Stores a value that was checked. */
-void fmu_set_number(fmu *fmu, const fmu_variable *variable, double value);
-
-/* The rate of an input, per second, in the run; NULL: it has none. */
-double *fmu_rate_of(fmu *fmu, const fmu_variable *input);
-
-/* A number with its unit; returns `text`. */
-enum { VALUE_CAPACITY = 64 };
-char *value_text(const fmu_variable *variable, double value, char text[VALUE_CAPACITY]);
 
 #endif

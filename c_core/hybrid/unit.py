@@ -285,7 +285,7 @@ class Unit:
         for name in page.inputs:
             place = "INPUT", first + places[name], "input", "continuous"
             self.add(public_of(name), *place, **settable(page.states[name]))
-        for i, name in enumerate(world.states):
+        for name in world.states:
             q, public = page.states[name], public_of(name)
             given = settable(q, initial="exact", depends={name})
             given["reinit"] = public not in self.steady_states.split()
@@ -293,7 +293,7 @@ class Unit:
             if is_computed or (q.of and world.start_of and world.start_of not in q.of):
                 given |= {"initial": "calculated", "start": None, "is_set": False}
                 given["within"] = {} if is_computed else q.within
-            self.add(public, "STATE", i, "output", "continuous", **given)
+            self.add(public, "STATE", first + places[name], "output", "continuous", **given)
         for name in world.starts:
             given = settable(page.states[name], initial="exact")
             given["about"] = f"Start value: {given['about']}"

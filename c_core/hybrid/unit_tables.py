@@ -88,12 +88,9 @@ def numbers(unit):
     page, public = unit.page, {}
     names, first = [*page.parameters, *page.states], len(page.parameters)
     for row in unit.rows:
-        place = row.offset
-        if row.storage == "STATE":
-            place = names.index(unit.world.states[row.offset])
         if row.storage in ("PARAMETER", "INPUT", "HELD", "STATE") and unit.type_of(row) != "String":
-            public.setdefault(place, row.name)
-    starts = {unit.world.states[row.offset] for row in unit.rows if row.storage == "STATE" and row.is_set}
+            public.setdefault(row.offset, row.name)
+    starts = {names[row.offset] for row in unit.rows if row.storage == "STATE" and row.is_set}
     of_motion = starts | {n for n in page.inputs if f"{n}_rate" in page.states}
     rows = []
     for place, name in enumerate(names):
@@ -124,7 +121,8 @@ def variable_row(unit, row):
         f"STORED_{row.storage}",
     ]
     members += [str(row.offset), f"VARIABILITY_{row.variability.upper()}", c_boolean(row.is_set)]
-    members += [c_boolean(row.reinit), *limits, start]
+    in_words = json.dumps(allowed(row.within)) if row.within and row.kind is float else "NULL"
+    members += [c_boolean(row.reinit), *limits, start, in_words]
     return f"{{{', '.join(members)}}},"
 
 
@@ -134,6 +132,7 @@ def header(unit):
     counts = {
         "PARAMETER": page.parameters,
         "STATE": page.states,
+        "MODE": page.keys,
         "EVENT": page.events,
         "OUTPUT": page.outputs,
     }
@@ -169,8 +168,8 @@ def tables(unit):
     """The tables of the unit."""
     page, functions = unit.page, Functions(unit.page.c)
     names, events = list(page.states), list(page.events)
-    starts = {row.offset: c_boolean(row.is_set) for row in unit.rows if row.storage == "STATE"}
-    shown = [f"{{{names.index(n)}, {starts[i]}}}," for i, n in enumerate(unit.world.states)]
+    first = len(page.parameters)
+    shown = [f"{{{r.offset - first}, {c_boolean(r.is_set)}}}," for r in unit.rows if r.storage == "STATE"]
     masks = [sum(1 << events.index(n) for n in guard.events) for guard in unit.guards.values()]
     peaks = [names.index(guard.into) if guard.into else -1 for guard in unit.guards.values()]
     guards = [f"{{UINT64_C({mask}), {into}}}," for mask, into in zip(masks, peaks, strict=True)]
@@ -178,9 +177,6 @@ def tables(unit):
     described = [f"{{{list(page.outputs).index(n)}, names_of_{n}}}," for n in unit.enumerations]
     words = [f"{{{c_boolean(is_output)}, {i}, {json.dumps(of)}}}," for is_output, i, of in unit.words]
     ramps = {n: names.index(f"{n}_rate") for n in page.inputs if f"{n}_rate" in names}
-    ranges = [
-        json.dumps(allowed(row.within)) if row.within and row.kind is float else "NULL" for row in unit.rows
-    ]
     rows = {
         "unit_state unit_states": shown,
         "unit_enumeration unit_enumerations": described,
@@ -191,14 +187,13 @@ def tables(unit):
         "unit_number unit_numbers": numbers(unit),
         "unit_bound unit_bounds": bounds(unit),
         "unit_nominal unit_nominals": nominals(unit, functions),
-        "char *const unit_allowed": [f"{text}," for text in ranges],
         "int unit_input_rates": [f"{ramps.get(n, -1)}," for n in names],
         "bool unit_holds_time": [f"{c_boolean(n in times(unit))}," for n in names],
     }
     variables, part = [variable_row(unit, row) for row in unit.rows], f"tdmf_{unit.part}_part"
     parts = [
         TOP.format(name=unit.model.__name__),
-        f'#include "{page.c}.h"\n\n#include "unit_tables.h"\n#include "variables.h"\n',
+        f'#include "{page.c}.h"\n\n#include "unit_tables.h"\n',
         "#include <float.h>\n#include <limits.h>\n",
         *map(wrapped_text, functions.texts),
         f"const tdmf_model_kind *const unit_model = &tdmf_{page.c}_model;\n",

@@ -265,7 +265,7 @@ static void step(void *self) {
     const bool wild = !on->careful && random_chance(on->source, 0.1);
     const double length = wild ? random_value(on->source) : random_magnitude(on->source, 1e-6, 1e2);
     const double from = wild ? random_value(on->source) : time;
-    ((struct instance *)on->instance)->fmu.step_limit = STEPS_OF_A_CALL;
+    ((struct instance *)on->instance)->step_limit = STEPS_OF_A_CALL;
     if (fmi->do_step(on->instance, from, length, &answer) != FMI_OK) {
         return;
     }

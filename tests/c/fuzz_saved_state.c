@@ -14,7 +14,7 @@ typedef struct {
 } serialized;
 
 static void limit_steps(fmi3Instance instance) {
-    ((struct instance *)instance)->fmu.step_limit = STEPS_OF_A_CALL;
+    ((struct instance *)instance)->step_limit = STEPS_OF_A_CALL;
 }
 
 static void serialize(fmi3Instance instance, serialized *state) {
@@ -76,7 +76,7 @@ static void look(fmi3Instance instance) {
 static void go_on(fmi3Instance instance, double length) {
     step_answer step = {false, false, false, 0.0};
     update_answer answer;
-    const double time = ((struct instance *)instance)->fmu.time;
+    const double time = ((struct instance *)instance)->run.time;
     limit_steps(instance);
     look(instance);
     do_step(instance, time, length, &step);

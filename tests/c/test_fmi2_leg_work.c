@@ -3,8 +3,8 @@
 #include "compare.h"
 #include "fmi2_importer.h"
 
-#include "fmu.h"
 #include "tdmf_slip/tdmf_slip.h"
+#include "variables.h"
 
 #include <math.h>
 #include <string.h>

@@ -4,10 +4,10 @@
 #include "fmi3_importer.h"
 #include "fmi_interface.h"
 
-#include "fmu.h"
 #include "guid.h"
 #include "tdmf_slip/cvode.h"
 #include "tdmf_slip/tdmf_slip.h"
+#include "variables.h"
 
 #include <math.h>
 #include <stdio.h>

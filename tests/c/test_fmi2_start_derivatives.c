@@ -5,7 +5,6 @@
 #include "fmi3_importer.h"
 #include "fmi_interface.h"
 
-#include "fmu.h"
 #include "tdmf_slip/tdmf_slip.h"
 #include "variables.h"
 

@@ -140,9 +140,9 @@ TEST(counts_of_work_end_at_the_largest_integer) {
     initialize(component);
     assert_int_equal(fmi2DoStep(component, 0.0, 1.0, fmi2True), fmi2OK);
     assert_true(get_whole(component, "solver.steps") > 0);
-    inside->fmu.work[WORK_STEPS] = (int64_t)INT_MAX + 1;
-    inside->fmu.work[WORK_EVALUATIONS] = INT64_MAX;
-    discard_view(inside);
+    inside->run.work[WORK_STEPS] = (int64_t)INT_MAX + 1;
+    inside->run.work[WORK_EVALUATIONS] = INT64_MAX;
+    inside->view_is_current = false;
     assert_int_equal(get_whole(component, "solver.steps"), INT_MAX);
     assert_int_equal(get_whole(component, "solver.evaluations"), INT_MAX);
 }
@@ -153,12 +153,12 @@ TEST(an_instance_that_fails_before_its_run_shows_its_start) {
     fmi2Integer value = 77;
     fmi2Component component = new_slave();
     instance *inside = component;
-    inside->state = FAILED;
+    inside->run.state = FAILED;
     assert_int_equal(get_whole(component, "contact.mode"), TDMF_CONTACT_FLIGHT);
     assert_int_equal(get_whole(component, "hip.phase"), TDMF_PHASE_PLACE);
-    inside->state = INSTANTIATED;
+    inside->run.state = INSTANTIATED;
     assert_int_equal(set_real(component, "leg.min_length", 2.0), fmi2OK);
-    inside->state = FAILED;
+    inside->run.state = FAILED;
     assert_int_equal(fmi2GetInteger(component, &mode, 1, &value), fmi2Discard);
     assert_int_equal(value, 77);
 }
@@ -183,7 +183,7 @@ TEST(event_mode_is_entered_with_the_force_noted) {
     assert_int_equal(set_real(component, "hip.external_torque", 1.0), fmi2OK);
     assert_true(get_real(component, "contact.fy") < force);
     for (int i = 0; i < UNIT_NUMBER_COUNT; ++i) {
-        is_noted |= fabs(inside->fmu.motion.numbers[i] - force) <= 1e-15 * force;
+        is_noted |= fabs(inside->run.motion.numbers[i] - force) <= 1e-15 * force;
     }
     assert_true(is_noted);
 }

@@ -2,7 +2,6 @@
 #include "compare.h"
 #include "fmi3_importer.h"
 
-#include "fmu.h"
 #include "guid.h"
 #include "tdmf_slip/tdmf_slip.h"
 #include "variables.h"

@@ -4,8 +4,8 @@
 #include "fmi3_importer.h"
 #include "fmi_interface.h"
 
-#include "fmu.h"
 #include "tdmf_slip/tdmf_slip.h"
+#include "variables.h"
 
 #include <math.h>
 #include <string.h>

@@ -64,7 +64,7 @@ static void assert_numbers(fmi3Instance instance) {
 
 /* Limits the steps of a call, because forged parameters may be arbitrarily stiff. */
 static void limit_steps(fmi3Instance instance) {
-    ((struct instance *)instance)->fmu.step_limit = 200;
+    ((struct instance *)instance)->step_limit = 200;
 }
 
 /* Runs a little further, from any state of the call sequence. */

@@ -4,7 +4,6 @@
 #include "fmi2_importer.h"
 #include "fmi3_importer.h"
 
-#include "fmu.h"
 #include "tdmf_slip/tdmf_slip.h"
 #include "variables.h"
 

@@ -2,7 +2,6 @@
 #include "compare.h"
 #include "fmi_interface.h"
 
-#include "fmu.h"
 #include "tdmf_slip/tdmf_slip.h"
 #include "variables.h"
 

@@ -1,1 +1,1 @@
-#define FMU_GUID "{cfe45596-2bca-6416-067c-1a0c83d0f0e3}"
+#define FMU_GUID "{17fc6a3a-00a4-cf29-043c-1c1e661de0f9}"
