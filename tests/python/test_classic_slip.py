@@ -17,6 +17,7 @@ from tdmf_slip import Batch, InputError, RunError
 from tdmf_slip.library import classic_slip
 from tdmf_slip.library.classic_slip import ENERGY, NO_SLIP, slip, step
 from tdmf_slip.library.own_runs import seeds_of, strides_of
+from tdmf_slip.paper.evidence import gather_classic
 
 MASS, STIFFNESS, LENGTH, GRAVITY = 80.0, 20000.0, 1.0, 9.81
 STEPS = read("classic_steps.json")
@@ -111,6 +112,18 @@ def test_two_gaits_meet_in_the_fold_and_beyond_it_there_is_none(slope, rate):
     assert len(gaits) == 2 and gaits[0].height < fold.height < gaits[1].height
     assert gaits[0].slope < 1.0 < gaits[1].slope
     assert classic_slip.fixed_points(beyond, **its) == []
+
+
+def test_the_paper_s_slip_is_stable_from_a_period_doubling_to_a_fold():
+    """Their angles are 31.28 and 44.59 degrees; by SciPy, the slope of the map at the former is -1."""
+    angles = gather_classic().lowest, classic_slip.fold().angle
+    assert np.degrees(angles) == pytest.approx([31.28, 44.59], abs=5e-3)
+
+    def ahead(height):
+        return one_step(angles[0], 0.0, 0.0, height)[0]
+
+    low = brentq(lambda height: ahead(height) - height, LENGTH * math.cos(angles[0]) + 1e-3, 1.0, xtol=1e-12)
+    assert (ahead(low + 1e-5) - ahead(low - 1e-5)) / 2e-5 == pytest.approx(-1.0, abs=1e-4)
 
 
 def test_a_fold_that_is_not_there_is_refused():

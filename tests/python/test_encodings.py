@@ -1,6 +1,5 @@
 """Characters that an encoding lacks are replaced in print, and never cause an error after the work."""
 
-import ast
 import io
 import json
 import os
@@ -112,28 +111,3 @@ def test_names_that_are_no_text_are_printed_as_they_are(monkeypatch):
         print(os.fsdecode(b"caf\xe9 ") + "≈", end="")
         stream.flush()
         assert stream.buffer.getvalue().startswith(b"caf\xe9 ")
-
-
-def test_every_text_file_is_written_and_read_in_utf_8():
-    """The encoding of the locale is that of the day."""
-    looked_at = 0
-    for path in PACKAGE.rglob("*.py"):
-        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
-            if not isinstance(node, ast.Call):
-                continue
-            name = node.func.attr if isinstance(node.func, ast.Attribute) else getattr(node.func, "id", "")
-            if name in ("read_text", "write_text", "open") and not (
-                _is_of_the_system(node) or _is_of_bytes(node)
-            ):
-                looked_at += 1
-                given = {word.arg for word in node.keywords} | {getattr(of, "value", "") for of in node.args}
-                assert given & {"encoding", "utf-8"}, f"{path}:{node.lineno}"
-    assert looked_at > 8
-
-
-def _is_of_bytes(node):
-    return any(isinstance(word, ast.Constant) and "b" in str(word.value) for word in node.args)
-
-
-def _is_of_the_system(node):
-    return isinstance(node.func, ast.Attribute) and getattr(node.func.value, "id", "") == "os"

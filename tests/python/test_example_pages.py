@@ -39,13 +39,6 @@ clocked = compiled("clocked_runner", "ClockedRunner")
 compliant = compiled("compliant_runner", "CompliantRunner")
 
 
-def test_every_page_has_less_than_120_lines():
-    pages = sorted(PAGES.glob("*.py"))
-    assert len(pages) == 7
-    for page in pages:
-        assert len(page.read_text(encoding="utf-8").splitlines()) < 120, page.name
-
-
 # ---- the bouncing ball ---------------------------------------------------------------------------------
 
 

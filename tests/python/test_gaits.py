@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from conftest import CLAMPED, reference_gaits, release
+from conftest import CLAMPED, release
 from references import FREE
 from tdmf_slip import Batch, InputError, RunError, Runner, find_gait
 from tdmf_slip.analysis.along import gaits_over
@@ -19,7 +19,6 @@ from tdmf_slip.library.engine import FATES
 from tdmf_slip.library.events import LETTERS
 from tdmf_slip.library.return_map import stride_from
 from tdmf_slip.paper import along as paper_along
-from tdmf_slip.paper import reference_gaits as reference
 from tdmf_slip.record import runner_in
 from tdmf_slip.variables.parameters import read_parameters
 from tdmf_slip.variables.table import FRICTION, MODELS
@@ -27,13 +26,16 @@ from tdmf_slip.variables.table import FRICTION, MODELS
 CLAMP = "hip.swing_clamp"
 FAST_HUMAN = Path(__file__).with_name("fast_human.toml")
 
-# Independent values: refined fixed points in extended precision, differenced there.
-CLAMPED_EIGENVALUES = {
-    10.0: (0.811488219, -0.463835571, 0.010024837),
-    0.6: (0.857395094, -0.372498323, 0.00869537996),
+EIGENVALUES = {
+    (10.0, 0.1, 0.2): (0.811488219, -0.463835571, 0.010024837, 0.0, 0.0, 0.0),
+    (0.6, 0.1, 0.2): (0.857395094, -0.372498323, 0.00869537996, 0.0, 0.0, 0.0),
+    (0.6, 0.005, 1.0): (0.897504, -0.276227),
+    (0.3, 0.02, 2.0): (0.675120,),
 }
-LIGHT_AND_DAMPED = {(0.6, 0.005, 1.0): (0.897504, 0.276227), (0.3, 0.02, 2.0): (0.675120,)}
-"""Leading eigenvalues with the clamp of the swing, by friction, foot mass and damping."""
+"""Leading eigenvalues with the clamp of the swing, by friction, foot mass and damping.
+
+They are independent: of fixed points refined in extended precision, and differenced there.
+"""
 BORDERS = {(border["from"], border["to"]): border["friction"] for border in FREE["borders"]}
 
 
@@ -47,35 +49,13 @@ def swept(runner):
     return paper_along.swept(runner, np.geomspace(10.0, 0.05, 24))
 
 
-@pytest.mark.parametrize("known", reference.gaits(), ids=lambda gait: f"{gait.word} {gait.swing_clamp}")
-def test_gait_agrees_with_the_reference(runner, known):
-    found = find_gait(runner.replace({FRICTION: known.friction, CLAMP: known.swing_clamp}))
-    assert found.word == known.word
-    assert found.error < 1e-12
-    for name in ("period", "speed", "work", "cost_of_transport"):
-        assert found.stride[name] == pytest.approx(getattr(known, name), rel=1e-11)
-    assert found.liftoff_angle == pytest.approx(known.liftoff_angle, rel=1e-11)
-    assert found.apex == pytest.approx(known.apex, abs=1e-11)
-
-
-@pytest.mark.parametrize("clamp", [False, True])
-@pytest.mark.parametrize("friction", CLAMPED_EIGENVALUES)
-def test_eigenvalues_and_the_three_that_vanish(runner, friction, clamp):
-    known = CLAMPED_EIGENVALUES[friction]
-    if not clamp:
-        known = next(g for g in reference_gaits(False) if g["friction"] == friction)["eigenvalues"][:3]
-    gait = find_gait(runner.replace({FRICTION: friction, CLAMP: clamp}))
-    assert np.real(gait.eigenvalues[:3]) == pytest.approx(known, abs=1e-8)
-    assert np.abs(gait.eigenvalues[3:]) == pytest.approx([0.0, 0.0, 0.0], abs=1e-9)
+@pytest.mark.parametrize("given", EIGENVALUES)
+def test_gaits_with_the_clamp_have_their_eigenvalues(given):
+    """A foot that sticks makes three of them vanish."""
+    gait = find_gait(Runner(dict(zip((FRICTION, "foot.mass", "leg.damping"), given, strict=True)) | CLAMPED))
+    known = EIGENVALUES[given]
+    assert gait.eigenvalues[: len(known)] == pytest.approx(known, abs=1e-6 if len(known) < 6 else 1e-8)
     assert gait.stable
-
-
-@pytest.mark.parametrize("given", LIGHT_AND_DAMPED)
-def test_a_light_foot_on_a_damped_leg_has_its_eigenvalues_too(given):
-    values = dict(zip((FRICTION, "foot.mass", "leg.damping"), given, strict=True))
-    gait = find_gait(Runner(values | CLAMPED))
-    known = LIGHT_AND_DAMPED[given]
-    assert np.abs(gait.eigenvalues[: len(known)]) == pytest.approx(known, abs=1e-6)
 
 
 def test_a_stride_without_derivatives_is_said_to_have_none():
@@ -134,12 +114,6 @@ def test_every_border_lies_between_its_words(runner, swept):
         assert (near.word, beyond.word) == (border.before, border.after)
         within = sweep(runner, {FRICTION: [near.friction, beyond.friction]}).borders[FRICTION]
         assert within.values == pytest.approx([border.value], rel=1e-9)
-
-
-def test_the_ledger_of_a_gait_closes(swept):
-    for gait in swept.gaits:
-        losses = sum(gait.stride[name] for name in ("damper_loss", "friction_loss", "impact_loss"))
-        assert losses == pytest.approx(gait.stride["work"], abs=1e-11)
 
 
 def test_a_grid_has_each_gait_with_its_units(runner):
@@ -211,13 +185,6 @@ def test_events_and_letters_are_those_of_one_stride():
         assert 0.0 < sum(standing) <= gait.stride["stance_time"] * (1.0 + 1e-9)
 
 
-def test_a_runner_keeps_its_tolerance_wherever_it_is_sent(runner):
-    sent = pickle.loads(pickle.dumps(Runner(runner, tolerance=1e-9)))
-    assert sent.tolerance == 1e-9 and sent != runner and dict(sent) == dict(runner)
-    with pytest.raises(InputError, match="tolerance"):
-        Runner(runner, tolerance=0.0)
-
-
 def test_a_grid_keeps_the_gaits_before_its_branch_was_lost(runner):
     frictions = np.linspace(0.6, 0.02, 4)
     found = sweep(runner, {"hip.touchdown_angle": [1.0], "ground.friction": frictions}).gaits
@@ -266,24 +233,6 @@ def test_what_was_not_asked_for_is_absent(runner):
     changed = find_gait(runner.replace({"leg.damping": runner["leg.damping"] + 1e-6}), guess=plain.apex)
     slope = np.linalg.solve(np.eye(6) - along.jacobian, along.by_parameter)
     assert (changed.apex - plain.apex) / 1e-6 == pytest.approx(slope, rel=1e-3, abs=1e-6)
-
-
-def test_a_solvers_trouble_is_not_called_a_fall(runner, monkeypatch):
-    honest = Runner.solver
-
-    def hurried(self, *log):
-        solver = honest(self, *log)
-        solver.step_limit = 7
-        return solver
-
-    known = find_gait(runner)
-    monkeypatch.setattr(Runner, "solver", hurried)
-    with pytest.raises(RunError, match=r"given up: too many steps in one call, after 0 strides, 14 steps"):
-        find_gait(runner)
-    with pytest.raises(RunError, match=r"given up: too many steps in one call, after 0 strides, 7 steps"):
-        find_gait(runner, guess=known.apex)
-    with pytest.raises(RunError, match=r"no stride closes at friction 0\.6: too many steps"):
-        stride_from(runner, known.apex, FRICTION)
 
 
 def test_what_cannot_be_found_is_said(runner):

@@ -20,7 +20,6 @@ from tdmf_slip import RunError
 from tdmf_slip.analysis.along import to_value
 from tdmf_slip.analysis.branches import whole_branch, with_doubled_branches
 from tdmf_slip.analysis.special_points import special_points
-from tdmf_slip.library import classic_slip
 from tdmf_slip.numerics.following import Limits, Track, follow
 
 
@@ -111,32 +110,6 @@ def test_the_delayed_logistic_map_has_a_neimark_sacker_point_at_2():
     assert specials_of(branch) == [("Neimark-Sacker", 2.0)]
     values = specials_in(branch)[0].gait.eigenvalues
     assert np.abs(np.angle(values)) == pytest.approx([np.pi / 3, np.pi / 3], abs=1e-9)
-
-
-def classic_slip_step(height, angle):
-    """The paper's SLIP from apex to apex; by the angle it is differentiated by differences."""
-
-    def made(at):
-        return classic_slip.step(classic_slip.slip(at), height[0])
-
-    here, off = made(angle), 1e-6
-    by_angle = (made(angle + off).next_height - made(angle - off).next_height) / (2.0 * off)
-    return np.array([here.next_height]), np.array([[here.slope]]), np.array([by_angle]), "0"
-
-
-def test_the_classic_slip_folds_where_its_own_slope_says():
-    """The fold is at 44.59 degrees, where the paper's stable and unstable gaits meet."""
-    problem = MapProblem(classic_slip_step, 1)
-    low = np.radians(43.0)
-    stable = next(gait for gait in classic_slip.fixed_points(low) if gait.stable)
-    branch, _ = followed(problem, problem.beginning(low, stable.height), low, np.radians(46.0))
-    (fold,) = specials_in(branch)
-    known = classic_slip.fold()
-    assert fold.kind == "fold" and np.degrees(fold.value) == pytest.approx(44.59, abs=5e-3)
-    assert fold.value == pytest.approx(known.angle, abs=1e-8)
-    assert fold.gait.apex[0] == pytest.approx(known.height, abs=1e-5)
-    assert (branch.rows[0].gait.stable, branch.rows[-1].gait.stable) == (True, False)
-    assert branch.rows[-1].value == low
 
 
 def real(*values):

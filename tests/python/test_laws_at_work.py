@@ -56,20 +56,6 @@ def test_the_jacobian_under_a_law_is_that_of_differences(gait, settling):
     assert np.abs(np.linalg.eigvals(jacobian)).max() < 0.5 * gait.lambda_max
 
 
-def test_a_law_that_settles_a_runner_keeps_it_up_longer(gait, settling):
-    free, held = (
-        strides_to_fall(gait.runner, 0.5, 200, 1, 60, gait=gait, law=law) for law in (None, settling)
-    )
-    assert held.interval[0] > free.interval[1]
-
-
-def test_a_law_that_settles_a_runner_lets_it_recover_from_more(gait, settling):
-    free, held = robustness(gait), robustness(gait, settling)
-    assert held.step_up > free.step_up + 0.2 and held.step_down > free.step_down
-    in_the_box = [volume(gait, 300, law=law).settled for law in (None, settling)]
-    assert in_the_box[1] > in_the_box[0]
-
-
 def test_noise_is_drawn_by_the_number_in_the_slice(gait, settling, monkeypatch, tmp_path):
     """Noise depends neither on blocks, nor on the executor, nor on resuming from a file."""
     noisy = AffineLaw(

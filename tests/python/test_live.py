@@ -1,7 +1,6 @@
 """The live page in Chromium, at a desk and on a phone in the dark: its numbers are the library's."""
 
 import math
-import random
 import re
 import urllib.parse
 
@@ -107,18 +106,6 @@ def test_the_five_published_gaits_are_found(page):
         assert value_shown(page, "gait", "stable") == "stable"
         compared += 1
     assert compared == 5
-
-
-def test_the_gait_of_a_runner_at_random_is_the_librarys(driver, address):
-    draw = random.Random(15)
-    varied = ("leg.stiffness", "leg.damping", "foot.mass", "hip.kp", "hip.touchdown_angle", "ground.friction")
-    values = {name: tdmf_slip.load_fmu().variables.start_of(name) * draw.uniform(0.9, 1.1) for name in varied}
-    open_page(driver, address, "#" + "&".join(f"{name}={value!r}" for name, value in values.items()))
-    gait = tdmf_slip.find_gait(values)
-    find_gait(driver)
-    assert value_shown(driver, "gait", "word") == gait.word
-    assert close(value_shown(driver, "gait", "stride.speed"), gait.stride["speed"])
-    assert np.abs(eigenvalues(driver) - gait.eigenvalues).max() < EQUAL
 
 
 def test_a_run_on_a_gait_has_its_numbers(page):

@@ -113,15 +113,6 @@ def test_stability_is_kept_where_it_is_asked_for():
     assert kept.limits == ("stability",) and kept.why == "" and kept.value < free.value
 
 
-def test_the_cheapest_runner_of_all_is_kept_off_the_fold():
-    slow = {**STICKING, TORQUE: 0.11}
-    best = optimize(slow, {TORQUE: (0.1, 0.12)}, minimize="cost_of_transport", starts=1)
-    assert best.limits == ("fold",) and best.why == ""
-    assert 0.97 < best.gait.lambda_max < 1.0
-    further = gait_near(best.gait.runner.replace({TORQUE: 1.001 * best.parameters[TORQUE]}), best.gait.apex)
-    assert further.stride["cost_of_transport"] > best.value
-
-
 def test_a_speed_that_no_gait_has_is_reported_with_the_nearest(command):
     arguments = ["--minimize", "cost_of_transport", "--vary", f"{TORQUE}=0.1:0.3", "--target", "speed=9"]
     status, out, said = command("optimize", *arguments, "--starts", "1", "--json")

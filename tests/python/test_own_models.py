@@ -69,14 +69,6 @@ def test_strides_of_many_balls_are_those_of_the_closed_form(ball):
     assert found["fate"].values.max() == 0
 
 
-def test_a_stride_under_a_law_of_one_s_own_is_scipy_s(my_runner):
-    apex = (1.4, 1.05, 1.0, -0.55, 0.0, 0.0)
-    stride = Batch(Runner(my_runner, friction=0.43, **GAINS), apex).stride()
-    wanted = Stride(0.43, torque=torque_of_gains(**GAINS, stance_target=0.0)).run(apex)
-    assert stride.next_apex == pytest.approx(wanted["apex"], abs=1e-9)
-    assert (stride.period, stride.work) == pytest.approx((wanted["period"], wanted["work"]), abs=1e-9)
-
-
 def test_the_gait_under_a_law_of_one_s_own_closes_in_scipy_and_its_jacobian_is_differences(my_runner):
     gait = find_gait(my_runner, friction=0.6, **GAINS)
     again = Stride(0.6, torque=torque_of_gains(**GAINS, stance_target=0.0)).run(gait.apex)

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from page_runs import BEHIND, COMPILER, KERNEL, CompiledPage, StuckError, run_batch, widths_of
+from page_runs import BEHIND, COMPILER, KERNEL, CompiledPage, run_batch, widths_of
 from scipy.optimize import brentq
 
 from c_core.hybrid import Model, cos, event, mode, observe, output, parameter, sin, state
@@ -195,16 +195,6 @@ def test_samples_stop_with_the_run_and_come_after_a_stop():
     values, _ = run.sample([0.1, 0.3, 0.5])
     again = CompiledPage(Bounces).start().to(stop="bounce")
     assert again.sample([0.5])[0][0] == pytest.approx(values[2], abs=1e-13)
-
-
-def test_the_message_names_the_mode_the_time_and_the_events():
-    run = CompiledPage(Bounces).start(restitution=0.5)
-    with pytest.raises(StuckError, match=r"0 are due again .* in the mode `falls` at t = 1.34164: `bounce`"):
-        run.to(9)
-    run = CompiledPage(Bounces).start()
-    run.run.event_limit = 3
-    assert run.to(9).outcome == "too-many-events"
-    assert run.run.events == 3
 
 
 # ---- memory and refusals ---------------------------------------------------------------------------------

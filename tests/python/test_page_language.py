@@ -10,7 +10,6 @@ import page_runs
 import pytest
 from page_runs import COMPILER, ROOT, CompiledPage
 from scipy.integrate import solve_ivp
-from unit_pages import ball_at
 
 from c_core import hybrid
 from c_core.hybrid import Model, coordinates, event, mode, output, parameter, sin, state
@@ -44,15 +43,6 @@ def test_a_page_is_compiled_from_the_installed_package_alone(guide):
 def test_every_word_of_the_language_is_in_an_example():
     words = set(re.findall(r"\w+", page_runs.code_of_guide()))
     assert set(hybrid.__all__) - words == {"PageError"}
-
-
-def test_the_ball_of_the_guide_bounces_by_its_closed_form(guide):
-    run = CompiledPage(guide.Ball).start(seeds=["height", "restitution"]).to(3.0)
-    assert run.height == pytest.approx(ball_at(3.0)[0], abs=1e-13)
-    assert run.bounces == 6
-    slopes = [(ball_at(3.0, 0.8, 1 + h)[0] - ball_at(3.0, 0.8, 1 - h)[0]) / 2e-6 for h in (1e-6,)]
-    slopes += [(ball_at(3.0, 0.8 + h)[0] - ball_at(3.0, 0.8 - h)[0]) / 2e-6 for h in (1e-6,)]
-    assert run.d("height") == pytest.approx(slopes, abs=1e-8)
 
 
 def test_the_ball_of_the_guide_falls_down_its_own_stair_and_a_given_one(guide):

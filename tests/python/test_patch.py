@@ -1,22 +1,10 @@
 """A patch of slippery ground: where a foot lands decides, and strides until a fall on it."""
 
 import numpy as np
-import pytest
 import tdmf_slip
 from conftest import CLAMPED
 
 PATCH = {**CLAMPED, "ground.friction": 0.6, "ground.patch_begin": 12.45, "ground.patch_end": 12.52}
-
-
-def test_where_a_foot_lands_decides():
-    """Runners that differ in the position of their feet alone: over the patch, before and behind it."""
-    positions = np.array([0.0, -30.0, 30.0])
-    apex = tdmf_slip.find_gait({**CLAMPED, "ground.friction": 0.6}).apex
-    made = tdmf_slip.stride_map(PATCH, apex, foot_x=positions)
-    over, before, behind = made["next_apex"].values[:, 0]
-    assert before == pytest.approx(behind, rel=1e-9) and abs(over - before).max() > 0.01
-    length = made["foot.x"].values[:, 0] - positions
-    assert length[1] == pytest.approx(length[2], rel=1e-9) and abs(length[0] - length[1]) > 0.1
 
 
 # ---- strides until the fall -----------------------------------------------------------------------------

@@ -1,7 +1,6 @@
 """Proofs of gaits: against values that were proved by another program, and where they have to fail."""
 
 import json
-import pickle
 from dataclasses import replace
 from fractions import Fraction
 
@@ -99,16 +98,6 @@ def test_every_solver_is_as_near_to_the_proved_gait_as_is_reported(proof):
     assert dict(zip(heading, rows[0], strict=True))["period"] == f"{errors['native']['period']:.1e}"
     with pytest.raises(InputError, match="undecided"):
         solver_errors(replace(proof, proved=False))
-
-
-def test_a_proof_is_pickled_with_its_balls_as_they_are(proof):
-    again = pickle.loads(pickle.dumps(proof))
-    assert again.sentence == proof.sentence
-    for one, other in zip(
-        [*proof.apex, proof.quantities["speed"]], [*again.apex, again.quantities["speed"]], strict=True
-    ):
-        assert one.mid().man_exp() == other.mid().man_exp()
-        assert one.rad().man_exp() == other.rad().man_exp()
 
 
 @pytest.mark.parametrize(("box", "proved"), [(1e-10, False), (2e-9, True)])

@@ -50,17 +50,3 @@ def test_every_product_of_members_is_enclosed(followed):
     product, _, members = followed
     for true in members:
         assert all(ball.contains(x) for ball, x in zip(product.entries(), true.entries(), strict=True))
-
-
-def test_the_enclosure_is_as_wide_as_the_sum_of_its_factors(followed):
-    """Each factor moves the product by its radius times the products after and before it."""
-    product, plain, members = followed
-    wide, plainly = (max(float(x.rad()) for x in matrix.entries()) for matrix in (product, plain))
-    assert wide < 100 * FACTORS * RADIUS
-    assert plainly > 1e6 * wide
-    moved = max(
-        float(abs(x - y).upper())
-        for one in members
-        for x, y in zip(one.entries(), members[0].entries(), strict=True)
-    )
-    assert moved > wide / 100

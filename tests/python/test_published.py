@@ -7,14 +7,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 from conftest import reference_gaits
-from scipy.integrate import solve_ivp
 from tdmf_slip import Runner, find_gait, stride_map
 from tdmf_slip.paper import published, results_page
 from tdmf_slip.paper.claims import CLAMP, FREE, READINGS, Claim, Finding, Group
 from tdmf_slip.paper.evidence import SETTLED, gather, gather_classic
 
-MASS, STIFFNESS, LENGTH, GRAVITY, ENERGY = 80.0, 20000.0, 1.0, 9.81, 6000.0
-"""The paper's classic SLIP."""
 STORED = results_page.read(Path(__file__).parents[2] / "documentation/data/results", results_page.PAPERS)
 
 
@@ -97,40 +94,6 @@ def test_a_gait_with_the_printed_torque_would_be_reported(evidence):
     settled = replace(found, printed_torque=replace(found.printed_torque, gaits=tuple(found.five)))
     (statement,) = (s for s in published.STATEMENTS if s.misprint)
     assert statement.judge(settled).agrees and not statement.judge(found).agrees
-
-
-def next_height(height, angle):
-    """One step of the classic SLIP by SciPy, in Cartesian coordinates about the foot."""
-
-    def rates(time, state):
-        x, y, vx, vy = state
-        r = math.hypot(x, y)
-        pull = STIFFNESS / MASS * (LENGTH - r) / r
-        return [vx, vy, pull * x, pull * y - GRAVITY]
-
-    def relaxed(time, state):
-        return math.hypot(state[0], state[1]) - LENGTH
-
-    relaxed.terminal, relaxed.direction = True, 1.0
-    low = LENGTH * math.cos(angle)
-    speed = math.sqrt(2.0 * (ENERGY / MASS - GRAVITY * height))
-    start = [-LENGTH * math.sin(angle), low, speed, -math.sqrt(2.0 * GRAVITY * (height - low))]
-    run = solve_ivp(rates, (0.0, 2.0), start, "DOP853", events=relaxed, rtol=1e-11, atol=1e-12)
-    _, y, _, vy = run.y_events[0][0]
-    return y + vy**2 / (2.0 * GRAVITY)
-
-
-def test_the_slip_becomes_stable_where_a_difference_of_its_map_is_minus_one():
-    """An orbit of period two is born there: the slope, by differences of another integration, is -1."""
-    angle = gather_classic().lowest
-    low, high = LENGTH * math.cos(angle) + 1e-6, 1.0
-    for _ in range(60):
-        middle = 0.5 * (low + high)
-        low, high = (middle, high) if next_height(middle, angle) > middle else (low, middle)
-    step = 1e-5
-    slope = (next_height(low + step, angle) - next_height(low - step, angle)) / (2.0 * step)
-    assert slope == pytest.approx(-1.0, abs=1e-4)
-    assert math.degrees(angle) == pytest.approx(31.28, abs=0.005)
 
 
 def test_the_stored_statements_are_what_is_computed(claims):

@@ -1,7 +1,5 @@
 """The reduced map: gaits against the reference, and the same commands as for the full model."""
 
-import pickle
-
 import numpy as np
 import pytest
 from references import read
@@ -11,7 +9,7 @@ from tdmf_slip.analysis.stability import stability
 from tdmf_slip.library.binding import c, ffi
 from tdmf_slip.library.engine import FATES
 from tdmf_slip.library.return_map import stride_from
-from tdmf_slip.library.section import COORDINATES, REDUCED
+from tdmf_slip.library.section import REDUCED
 from tdmf_slip.paper.along import swept
 
 GAITS = read("reduced_gaits.json")["gaits"]
@@ -173,14 +171,6 @@ def test_what_makes_no_sense_is_refused(command):
     )
     assert (status, said) == (2, "")
     assert "'leg_angle' is not allowed; allowed: com_height, com_speed" in problem
-
-
-def test_a_runner_keeps_its_map():
-    runner = reduced(friction=0.43)
-    assert pickle.loads(pickle.dumps(runner)).reduced
-    assert runner.replace({"ground.friction": 0.6}).reduced
-    assert runner.coordinates == COORDINATES[:2] == tuple(REDUCED)
-    assert len(runner.scales) == 2
 
 
 def test_stability_over_a_plane_is_that_of_each_gait_and_empty_where_there_is_none():

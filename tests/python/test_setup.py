@@ -231,30 +231,6 @@ def test_a_part_that_there_is_not_is_refused(options, more):
     assert f"--only takes one of: lint c sanitize site python{more}; it was given 'all'" in done.stderr
 
 
-REPORT = """<testsuites><testsuite><testcase classname="tests.python.test_one" name="test_a" time="{}"/>
-<testcase classname="tests.python.test_one" name="test_b" time="{}"/></testsuite></testsuites>"""
-
-
-def test_the_parts_and_the_slowest_tests_of_all_reports_are_printed(tmp_path):
-    (tmp_path / "times").write_text("set-up;70.5;60.25;5.25\nlint;40.0;55.0;1.0\n")
-    (tmp_path / "python.xml").write_text(REPORT.format(0.5, 12.25))
-    (tmp_path / "release.xml").write_text('<testsuite><testcase name="test_impact" time="3.5"/></testsuite>')
-    for number in range(10):
-        (tmp_path / f"more{number}.xml").write_text(REPORT.format(0.75, 0.0))
-    command = [sys.executable, ROOT / "scripts" / "slowest_tests.py", tmp_path]
-    done = subprocess.run(command, capture_output=True, text=True)
-    assert done.returncode == 0, done.stderr
-    times, slowest = done.stdout.split("slowest tests")
-    assert [line.split() for line in times.splitlines()[2:5]] == [
-        ["set-up", "70", "66"],
-        ["lint", "40", "56"],
-        ["all", "122"],
-    ]
-    listed = [line.split() for line in slowest.splitlines()[1:]]
-    assert [float(seconds) for seconds, *_ in listed] == [12.2, 3.5, *8 * [0.8]]
-    assert [name[-1] for _, *name in listed[:2]] == ["test_one::test_b", "test_impact"]
-
-
 def test_workflows_only_read_unless_a_job_asks_and_run_actions_by_their_commit():
     """A checkout leaves no credentials behind."""
     yaml, pinned = pytest.importorskip("yaml"), 0

@@ -79,20 +79,6 @@ def test_several_parameters_change_as_little_as_the_target_lets_them(target, var
             assert change(beside) > change(found)
 
 
-@pytest.mark.parametrize(
-    ("target", "vary"),
-    [
-        ({"speed": 5.0}, ["hip.stance_torque"]),
-        ({"speed": 3.5, "frequency": 2.75}, ["hip.touchdown_angle", "leg.stiffness"]),
-    ],
-)
-def test_the_fast_human_meets_as_many_targets_as_parameters_vary(target, vary):
-    runner = Runner(read_parameters(FAST_HUMAN))
-    gait = find_gait(runner, target=target, vary=vary)
-    assert_met(gait, target)
-    assert {name for name in VARIED if gait.runner[name] != runner[name]} == set(vary)
-
-
 def test_the_preset_is_a_jogger():
     """The gait has the values measured on people that its file cites, and a straight leg's duty factor."""
     gait = find_gait(read_parameters("human"))

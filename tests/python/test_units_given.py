@@ -1,6 +1,5 @@
 """Units as their user gave them: read in any spelling, and told again in tables and pictures."""
 
-import importlib
 import json
 import math
 import re
@@ -18,7 +17,6 @@ from tdmf_slip import (
     sweep,
     viability,
 )
-from tdmf_slip.cli.main import COMMANDS, module_of
 from tdmf_slip.pictures import branch_diagram, sweep_diagram
 from tdmf_slip.variables.display_units import DisplayUnits
 
@@ -143,19 +141,6 @@ def test_a_sweep_is_drawn_and_written_as_any_result(command, tmp_path):
     assert (tmp_path / "gaits.png").read_bytes().startswith(b"\x89PNG")
     assert command(*sweep_, "--output", "gaits.nc")[0] == 0
     assert xarray.load_dataset(tmp_path / "gaits.nc")[FRICTION].values == pytest.approx([0.5, 0.55, 0.6])
-
-
-def test_the_help_has_whole_sentences(command):
-    status, out, _ = command("--help")
-    commands = out.split("Commands:\n")[1]
-    assert status == 0 and "..." not in commands
-    summaries = re.split(r"\n  (?=\S)", commands)
-    assert len(summaries) == len(COMMANDS)
-    for name, summary in COMMANDS.items():
-        assert f"{name} " in commands and summary.endswith(".")
-        module = importlib.import_module(f"tdmf_slip.cli.{module_of(name)}")
-        text = " ".join((getattr(module, f"{name}_command").help or "").split())
-        assert text.startswith(summary.removesuffix(".")), name
 
 
 def test_a_key_of_twenty_thousand_dots_is_answered_at_once(command, tmp_path):
