@@ -4,6 +4,7 @@
 #include "guid.h"
 #include "variables.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -57,6 +58,23 @@ bool truth_of(const fmi_interface *fmi, void *instance, const char *name) {
     return value;
 }
 
+double derivative_of(const fmi_interface *fmi, void *instance, uint32_t unknown, uint32_t known) {
+    const double one = 1.0;
+    double derivative = 0.0;
+    assert_int_equal(fmi->directional_derivative(instance, &unknown, 1, &known, 1, &one, &derivative),
+                     FMI_OK);
+    return derivative;
+}
+
+void assert_same_states(const fmi_interface *fmi, void *instance, const fmi_interface *fmi_of_other,
+                        void *other, double tolerance) {
+    const uint32_t first = reference_of("foot.x");
+    for (uint32_t i = first; i < first + TDMF_MECHANICAL_COUNT; ++i) {
+        const char *name = fmu_variables[i].name;
+        assert_close(value_of(fmi, instance, name), value_of(fmi_of_other, other, name), tolerance);
+    }
+}
+
 /* ---- running ------------------------------------------------------------------------------------------ */
 
 void initialize_unit_at(const fmi_interface *fmi, void *instance, double start) {
@@ -81,6 +99,53 @@ void begin(const fmi_interface *fmi, void *instance, fmi_kind kind) {
     if (kind != STEPS) {
         update_and_go_on(fmi, instance, kind);
     }
+}
+
+void *begun(const fmi_interface *fmi, fmi_kind kind, const char *values) {
+    void *instance = new_of_kind(fmi, kind);
+    set_values(fmi, instance, values);
+    begin(fmi, instance, kind);
+    return instance;
+}
+
+update_answer take_event(const fmi_interface *fmi, void *instance, fmi_kind kind, const char *values) {
+    update_answer answer;
+    assert_int_equal(fmi->enter_event_mode(instance), FMI_OK);
+    set_values(fmi, instance, values);
+    assert_int_equal(fmi->update(instance, &answer), FMI_OK);
+    assert_int_equal((kind == EXCHANGE ? fmi->enter_continuous_time_mode : fmi->enter_step_mode)(instance),
+                     FMI_OK);
+    return answer;
+}
+
+int run_to(const fmi_interface *fmi, void *instance, double end, double step) {
+    const double start = value_of(fmi, instance, "time");
+    step_answer answer = {.time = start};
+    int events = 0;
+    for (long i = 1; answer.time < end; i += answer.early ? 0 : 1) {
+        const double grid = start + (double)i * step, until = grid < end - 1e-9 * step ? grid : end;
+        assert_int_equal(fmi->do_step(instance, answer.time, until - answer.time, &answer), FMI_OK);
+        assert_true(answer.early == (answer.time < until) && answer.event >= answer.early);
+        if (answer.event) {
+            take_event(fmi, instance, STEPS_WITH_EVENTS, "");
+            ++events;
+        }
+    }
+    return events;
+}
+
+void set_apex(const fmi_interface *fmi, void *instance, const tdmf_model *model, double friction,
+              const double apex[TDMF_SECTION_COUNT]) {
+    const tdmf_inputs inputs = tdmf_default_inputs();
+    const uint32_t first = reference_of("foot.x"), clamp = reference_of("hip.swing_clamp");
+    double state[TDMF_STATE_COUNT];
+    tdmf_section_state((tdmf_system){model, &inputs}, apex, state);
+    for (uint32_t i = 0; i < TDMF_MECHANICAL_COUNT; ++i) {
+        const uint32_t reference = first + i;
+        assert_int_equal(fmi->set_reals(instance, &reference, 1, &state[i]), FMI_OK);
+    }
+    assert_int_equal(fmi->set_truth(instance, clamp, model->parameters.hip.swing_clamp), FMI_OK);
+    assert_int_equal(set_value(fmi, instance, "ground.friction", friction), FMI_OK);
 }
 
 void step_by(const fmi_interface *fmi, void *instance, double step) {

@@ -4,6 +4,7 @@
 #define TDMF_TESTS_FMI_INTERFACE_H
 
 #include "messages.h"
+#include "tdmf_slip/return_map.h"
 #include "test.h"
 
 #include <stdbool.h>
@@ -110,6 +111,13 @@ double value_of(const fmi_interface *fmi, void *instance, const char *name);
 int integer_of(const fmi_interface *fmi, void *instance, const char *name);
 bool truth_of(const fmi_interface *fmi, void *instance, const char *name);
 
+/* Derivative of one variable by another; asserts that it is given. */
+double derivative_of(const fmi_interface *fmi, void *instance, uint32_t unknown, uint32_t known);
+
+/* Asserts that the mechanical states of two instances are equal, or differ by no more than a tolerance. */
+void assert_same_states(const fmi_interface *fmi, void *instance, const fmi_interface *fmi_of_other,
+                        void *other, double tolerance);
+
 /* Take an instance through initialization, from time 0 or another; assert that nothing is refused. */
 void initialize_unit(const fmi_interface *fmi, void *instance);
 void initialize_unit_at(const fmi_interface *fmi, void *instance, double start);
@@ -119,6 +127,20 @@ void update_and_go_on(const fmi_interface *fmi, void *instance, fmi_kind kind);
 
 /* Takes an instance through initialization to the mode in which time advances. */
 void begin(const fmi_interface *fmi, void *instance, fmi_kind kind);
+
+/* A fresh instance with start values, written as for set_values, in the mode in which time advances. */
+void *begun(const fmi_interface *fmi, fmi_kind kind, const char *values);
+
+/* Enters event mode, sets values, updates, and goes back to the mode in which time advances; asserts that
+ * nothing is refused. */
+update_answer take_event(const fmi_interface *fmi, void *instance, fmi_kind kind, const char *values);
+
+/* Makes steps of Co-Simulation up to a time, and takes the events at which they end. Returns their number. */
+int run_to(const fmi_interface *fmi, void *instance, double end, double step);
+
+/* Sets start values at an apex of a model that differs from the default one by the clamp at most. */
+void set_apex(const fmi_interface *fmi, void *instance, const tdmf_model *model, double friction,
+              const double apex[TDMF_SECTION_COUNT]);
 
 /* Makes a step of Co-Simulation from the present time; asserts that it succeeds. */
 void step_by(const fmi_interface *fmi, void *instance, double step);

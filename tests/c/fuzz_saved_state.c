@@ -9,7 +9,7 @@
 #include <string.h>
 
 typedef struct {
-    fmi3Byte bytes[8192];
+    unsigned char bytes[SERIALIZED_BYTES];
     size_t size;
 } serialized;
 
@@ -18,30 +18,16 @@ static void limit_steps(fmi3Instance instance) {
 }
 
 static void serialize(fmi3Instance instance, serialized *state) {
-    fmi3FMUState saved = NULL;
-    if (fmi3GetFMUState(instance, &saved) != fmi3OK ||
-        fmi3SerializedFMUStateSize(instance, saved, &state->size) != fmi3OK ||
-        state->size > sizeof state->bytes ||
-        fmi3SerializeFMUState(instance, saved, state->bytes, state->size) != fmi3OK) {
-        die("an instance was not saved");
-    }
-    fmi3FreeFMUState(instance, &saved);
+    state->size = save_bytes(&fmi3, instance, state->bytes);
 }
 
-static fmi3Status restore(fmi3Instance instance, const serialized *state) {
-    fmi3FMUState saved = NULL;
-    fmi3Status status = fmi3DeserializeFMUState(instance, state->bytes, state->size, &saved);
-    if (status == fmi3OK) {
-        status = fmi3SetFMUState(instance, saved);
-    }
-    fmi3FreeFMUState(instance, &saved);
-    return status;
+static fmi_status restore(fmi3Instance instance, const serialized *state) {
+    return restore_bytes(&fmi3, instance, state->bytes, state->size);
 }
 
 /* Up to some time within two strides, or still before the start. */
 static void run_into_it(random_source *source, fmi3Instance instance, fmi_kind kind) {
     step_answer step;
-    update_answer answer;
     for (int i = 0; i < 3; ++i) {
         const uint32_t reference = random_setting(source, true);
         const double value = tame_value(source, &fmu_variables[reference]);
@@ -50,16 +36,9 @@ static void run_into_it(random_source *source, fmi3Instance instance, fmi_kind k
     if (random_chance(source, 0.1)) {
         return;
     }
-    initialize3(instance);
-    if (kind != STEPS) {
-        update(instance, &answer);
-    }
+    begin(&fmi3, instance, kind);
     if (kind == EXCHANGE) {
-        fmi3EnterContinuousTimeMode(instance);
         return;
-    }
-    if (kind == STEPS_WITH_EVENTS) {
-        fmi3EnterStepMode(instance);
     }
     do_step(instance, 0.0, random_uniform(source, 1e-3, 50.0), &step);
 }
@@ -98,7 +77,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size) {
         forge(&source, state.bytes, state.size);
     }
     serialize(instance, &before);
-    if (restore(instance, &state) == fmi3OK) {
+    if (restore(instance, &state) == FMI_OK) {
         go_on(instance, length);
         serialize(instance, &after);
     } else {
@@ -107,7 +86,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size) {
             die("a refused state has changed the instance");
         }
     }
-    if (restore(instance, &after) != fmi3OK) {
+    if (restore(instance, &after) != FMI_OK) {
         die("what was saved is not restored");
     }
     end_test();

@@ -26,25 +26,34 @@ void runner_start(runner *runner) {
     assert_null(tdmf_start(SYSTEM_OF(runner), &runner->motion).variable);
 }
 
-static void slope(const runner *runner, const double state[], double derivatives[]) {
-    tdmf_derivatives(SYSTEM_OF(runner), &runner->motion.mode, state, derivatives);
-}
-
-static void runge_kutta(const runner *runner, double h, double after[TDMF_STATE_COUNT]) {
+void runge_kutta(int count, rates_at f, const void *context, double t, double step, const double x[],
+                 double after[]) {
     static const double reach[] = {0.0, 0.5, 0.5, 1.0};
     static const double weight[] = {1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0};
-    double k[TDMF_STATE_COUNT] = {0.0};
-    memcpy(after, runner->motion.state, sizeof runner->motion.state);
+    double rates[UNKNOWNS_LIMIT] = {0.0}, sum[UNKNOWNS_LIMIT];
+    memcpy(sum, x, (size_t)count * sizeof *sum);
     for (int stage = 0; stage < 4; ++stage) {
-        double trial[TDMF_STATE_COUNT];
-        for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
-            trial[i] = runner->motion.state[i] + h * reach[stage] * k[i];
+        double trial[UNKNOWNS_LIMIT];
+        for (int i = 0; i < count; ++i) {
+            trial[i] = x[i] + step * reach[stage] * rates[i];
         }
-        slope(runner, trial, k);
-        for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
-            after[i] += h * weight[stage] * k[i];
+        f(context, t + reach[stage] * step, trial, rates);
+        for (int i = 0; i < count; ++i) {
+            sum[i] += step * weight[stage] * rates[i];
         }
     }
+    memcpy(after, sum, (size_t)count * sizeof *sum);
+}
+
+static void rates_of_runner(const void *context, double t, const double state[], double rates[]) {
+    const runner *runner = context;
+    (void)t;
+    tdmf_derivatives(SYSTEM_OF(runner), &runner->motion.mode, state, rates);
+}
+
+/* The state after a step that passes over all guards. */
+static void move(const runner *runner, double step, double after[TDMF_STATE_COUNT]) {
+    runge_kutta(TDMF_STATE_COUNT, rates_of_runner, runner, 0.0, step, runner->motion.state, after);
 }
 
 static bool any_due(const runner *runner, const double state[TDMF_STATE_COUNT]) {
@@ -68,7 +77,7 @@ static double step_to_event(const runner *runner, double step) {
             return after;
         }
         double state[TDMF_STATE_COUNT];
-        runge_kutta(runner, middle, state);
+        move(runner, middle, state);
         if (any_due(runner, state)) {
             after = middle;
         } else {
@@ -88,11 +97,11 @@ static bool all_finite(const double state[TDMF_STATE_COUNT]) {
 
 bool runner_advance(runner *runner, double step) {
     double after[TDMF_STATE_COUNT];
-    runge_kutta(runner, step, after);
+    move(runner, step, after);
     const bool event = any_due(runner, after);
     if (event) {
         step = step_to_event(runner, step);
-        runge_kutta(runner, step, after);
+        move(runner, step, after);
     }
     if (!all_finite(after)) {
         return false;

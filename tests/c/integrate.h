@@ -13,6 +13,12 @@ typedef struct {
     long resolutions; /* calls of tdmf_resolve at a guard */
 } runner;
 
+/* A step of Runge and Kutta's classical method, from time t on, for `count` unknowns. */
+enum { UNKNOWNS_LIMIT = 32 };
+typedef void (*rates_at)(const void *context, double t, const double x[], double rates[]);
+void runge_kutta(int count, rates_at f, const void *context, double t, double step, const double x[],
+                 double after[]);
+
 /* Table 1 and its default start; asserts that the library accepts them. */
 runner runner_default(double friction);
 

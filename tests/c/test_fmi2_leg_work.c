@@ -2,11 +2,13 @@
  * ledger closes in every step that is completed. */
 #include "compare.h"
 #include "fmi2_importer.h"
+#include "integrate.h"
 
 #include "tdmf_slip/tdmf_slip.h"
 #include "variables.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 /* The leg swings once in about two units of time in flight; the default gait lands much later. */
@@ -31,44 +33,36 @@ static double none(double time) {
     return 0.0;
 }
 
-static void derivatives_at(fmi2Component component, double time, const double x[TDMF_STATE_COUNT],
-                           extension_at extension, double derivatives[TDMF_STATE_COUNT]) {
-    assert_int_equal(fmi2SetTime(component, time), fmi2OK);
-    assert_int_equal(set_real(component, "leg.extension", extension(time)), fmi2OK);
-    assert_int_equal(fmi2SetContinuousStates(component, x, TDMF_STATE_COUNT), fmi2OK);
-    assert_int_equal(fmi2GetDerivatives(component, derivatives, TDMF_STATE_COUNT), fmi2OK);
+/* A unit whose leg is extended by a function of time. */
+typedef struct {
+    fmi2Component component;
+    extension_at extension;
+} extended_unit;
+
+static void rates_of_unit(const void *context, double time, const double x[], double rates[]) {
+    const extended_unit *unit = context;
+    assert_int_equal(fmi2SetTime(unit->component, time), fmi2OK);
+    assert_int_equal(set_real(unit->component, "leg.extension", unit->extension(time)), fmi2OK);
+    assert_int_equal(fmi2SetContinuousStates(unit->component, x, TDMF_STATE_COUNT), fmi2OK);
+    assert_int_equal(fmi2GetDerivatives(unit->component, rates, TDMF_STATE_COUNT), fmi2OK);
 }
 
-/* A step of Runge and Kutta's method; the unit stands at its end. */
+/* A step, at whose end the unit stands. */
 static void integrate_step(fmi2Component component, double time, double step, extension_at extension,
                            double x[TDMF_STATE_COUNT]) {
-    static const double nodes[] = {0.0, 0.5, 0.5, 1.0},
-                        weights[] = {1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0};
-    double slopes[4][TDMF_STATE_COUNT], sum[TDMF_STATE_COUNT], trial[TDMF_STATE_COUNT];
-    memcpy(sum, x, sizeof sum);
-    for (int stage = 0; stage < 4; ++stage) {
-        memcpy(trial, x, sizeof trial);
-        for (int i = 0; stage > 0 && i < TDMF_STATE_COUNT; ++i) {
-            trial[i] += nodes[stage] * step * slopes[stage - 1][i];
-        }
-        derivatives_at(component, time + nodes[stage] * step, trial, extension, slopes[stage]);
-        for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
-            sum[i] += weights[stage] * step * slopes[stage][i];
-        }
-    }
-    memcpy(x, sum, sizeof sum);
-    derivatives_at(component, time + step, x, extension, slopes[0]);
+    const extended_unit unit = {component, extension};
+    double rates[TDMF_STATE_COUNT];
+    runge_kutta(TDMF_STATE_COUNT, rates_of_unit, &unit, time, step, x, x);
+    rates_of_unit(&unit, time + step, x, rates);
 }
 
 /* Event mode, where the extension may jump to `extension`. */
-static bool take_event(fmi2Component component, double extension, double x[TDMF_STATE_COUNT]) {
-    fmi2EventInfo info;
-    assert_int_equal(fmi2EnterEventMode(component), fmi2OK);
-    assert_int_equal(set_real(component, "leg.extension", extension), fmi2OK);
-    assert_int_equal(fmi2NewDiscreteStates(component, &info), fmi2OK);
-    assert_int_equal(fmi2EnterContinuousTimeMode(component), fmi2OK);
+static bool jump_to(fmi2Component component, double extension, double x[TDMF_STATE_COUNT]) {
+    char value[64];
+    snprintf(value, sizeof value, "leg.extension=%.17g", extension);
+    const update_answer answer = take_event(&fmi2, component, EXCHANGE, value);
     assert_int_equal(fmi2GetContinuousStates(component, x, TDMF_STATE_COUNT), fmi2OK);
-    return info.valuesOfContinuousStatesChanged;
+    return answer.states_changed;
 }
 
 /* Error of the energy balance. */
@@ -83,11 +77,9 @@ typedef struct {
 } flight;
 
 static flight fly(int step_count, extension_at extension) {
-    fmi2Component component = new_instance();
+    fmi2Component component = begun(&fmi2, EXCHANGE, "leg.length=0.9");
     flight flown = {0.0, 0.0, 0};
     double x[TDMF_STATE_COUNT];
-    assert_int_equal(set_real(component, "leg.length", 0.9), fmi2OK);
-    start_running(component);
     const double energy = get_real(component, "energy.total"), step = duration / step_count;
     assert_int_equal(fmi2GetContinuousStates(component, x, TDMF_STATE_COUNT), fmi2OK);
     for (int i = 0; i < step_count; ++i) {
@@ -96,7 +88,7 @@ static flight fly(int step_count, extension_at extension) {
         assert_int_equal(fmi2CompletedIntegratorStep(component, fmi2True, &asks, &terminate), fmi2OK);
         assert_false(terminate);
         if (asks) {
-            assert_true(take_event(component, extension((i + 1) * step), x));
+            assert_true(jump_to(component, extension((i + 1) * step), x));
             ++flown.events;
         }
         flown.gap = fmax(flown.gap, fabs(gap(component, energy)));
@@ -127,16 +119,14 @@ TEST(an_extension_that_stays_asks_for_no_event) {
 
 /* A jump's work is the spring's energy gained. */
 TEST(a_jump_in_event_mode_is_accounted_for_exactly) {
-    fmi2Component component = new_instance();
+    fmi2Component component = begun(&fmi2, EXCHANGE, "leg.length=0.9");
     double x[TDMF_STATE_COUNT];
-    assert_int_equal(set_real(component, "leg.length", 0.9), fmi2OK);
-    start_running(component);
     for (int i = 1; i <= 3; ++i) {
         const double elastic = get_real(component, "energy.elastic"), work = get_real(component, "leg.work");
-        assert_true(take_event(component, 0.03 * i * i, x));
+        assert_true(jump_to(component, 0.03 * i * i, x));
         assert_close(get_real(component, "leg.work") - work, get_real(component, "energy.elastic") - elastic,
                      1e-16);
-        assert_false(take_event(component, 0.03 * i * i, x));
+        assert_false(jump_to(component, 0.03 * i * i, x));
     }
 }
 
@@ -170,13 +160,12 @@ TEST(a_thrust_from_the_start_is_read_before_the_run_begins) {
 /* Work that is due in event mode is saved before it is reported. */
 TEST(work_that_is_due_is_saved) {
     fmi2Component one = new_instance(), other = new_instance();
-    double x[TDMF_STATE_COUNT], rates[TDMF_STATE_COUNT];
+    double x[TDMF_STATE_COUNT];
     unsigned char bytes[SERIALIZED_BYTES];
     fmi2EventInfo info;
     start_running(one);
     assert_int_equal(fmi2GetContinuousStates(one, x, TDMF_STATE_COUNT), fmi2OK);
     integrate_step(one, 0.0, 0.1, ramp, x);
-    derivatives_at(one, 0.1, x, ramp, rates);
     assert_int_equal(fmi2EnterEventMode(one), fmi2OK);
     assert_int_equal(restore_bytes(&fmi2, other, bytes, save_bytes(&fmi2, one, bytes)), FMI_OK);
     assert_int_equal(fmi2NewDiscreteStates(one, &info), fmi2OK);

@@ -45,20 +45,16 @@ TEST(an_importer_that_offers_intermediate_updates_is_never_called_back) {
                 "runner", FMU_GUID, NULL, false, false, event_mode, early_return, offers ? wanted : NULL,
                 offers ? 2 : 0, NULL, importer_logger, offers ? called_back : NULL);
             step_answer answer;
-            update_answer updated;
             assert_non_null(instance);
             free_after_test(instance, fmi3FreeInstance);
             initialize3(instance);
             if (event_mode) {
-                assert_int_equal(update(instance, &updated), fmi3OK);
-                assert_int_equal(fmi3EnterStepMode(instance), fmi3OK);
+                update_and_go_on(&fmi3, instance, STEPS_WITH_EVENTS);
             }
             for (int i = 0; i < 4; ++i) { /* early, to the first event */
                 assert_int_equal(do_step(instance, get_float(instance, "time"), 40.0, &answer), fmi3OK);
                 if (answer.event) {
-                    assert_int_equal(fmi3EnterEventMode(instance), fmi3OK);
-                    assert_int_equal(update(instance, &updated), fmi3OK);
-                    assert_int_equal(fmi3EnterStepMode(instance), fmi3OK);
+                    take_event(&fmi3, instance, STEPS_WITH_EVENTS, "");
                 }
             }
             assert_int_equal(answer.event, way == 3);

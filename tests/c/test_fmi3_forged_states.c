@@ -38,6 +38,16 @@ static fmi3Instance new_on_its_way(fmi_kind kind) {
     return instance;
 }
 
+/* An instance at 41 s, where no event is pending. */
+static fmi3Instance new_past_its_event(fmi_kind kind) {
+    fmi3Instance instance = new_on_its_way(kind);
+    if (kind == STEPS_WITH_EVENTS) {
+        take_event(&fmi3, instance, kind, "");
+    }
+    run_to(&fmi3, instance, 41.0, 41.0);
+    return instance;
+}
+
 static void serialize(fmi3Instance instance, serialized *state) {
     state->size = save_bytes(&fmi3, instance, state->bytes);
 }
@@ -245,7 +255,7 @@ TEST(a_number_that_cannot_be_is_refused_wherever_it_stands) {
     for (size_t i = 0; i < COUNT_OF(cases); ++i) {
         step_answer step;
         fmi3Instance instance = new_that_logs(cases[i].kind);
-        assert_int_equal(set_float(instance, "ground.slope", -1e-3), fmi3OK);
+        set_values(&fmi3, instance, "ground.slope=-1e-3");
         begin(&fmi3, instance, cases[i].kind);
         assert_int_equal(do_step(instance, 0.0, 56.0, &step), fmi3OK);
         const bool is_real = fmu_variables[reference_of(cases[i].name)].type == VARIABLE_REAL;
@@ -292,52 +302,35 @@ TEST(a_contact_in_the_air_is_refused) {
     assert_refused(STEPS, &state, "foot.y");
 }
 
-TEST(a_call_state_that_the_interface_has_not_is_refused) {
-    static const int states[KINDS][3] = {{STEP_MODE, EVENT_MODE | CONTINUOUS_TIME_MODE, INSTANTIATED},
-                                         {EVENT_MODE, STEP_MODE | FAILED, INITIALIZATION_MODE},
-                                         {CONTINUOUS_TIME_MODE, 0, INSTANTIATED}};
-    for (fmi_kind kind = EXCHANGE; kind < KINDS; ++kind) {
-        for (int i = 0; i < 3; ++i) {
-            serialized state;
-            save_on_its_way(kind, &state);
-            memcpy(state.bytes + FORGE_CALL_STATE, &states[kind][i], sizeof(int));
-            assert_refused(kind, &state, "the state of the call sequence");
-        }
+/* A state of the call sequence that the interface lacks, one that runs without having begun, a pending event
+ * of an interface, in a state or with a truth value that has none. */
+TEST(a_state_that_contradicts_itself_is_refused) {
+    static const char call_state[] = "the state of the call sequence", event[] = "the pending event";
+    static const struct {
+        fmi_kind kind;
+        size_t offset;
+        int bytes[2]; /* of two successive fields, or of the first one alone if the second is -1 */
+        const char *reason;
+    } cases[] = {{EXCHANGE, FORGE_CALL_STATE, {STEP_MODE, -1}, call_state},
+                 {EXCHANGE, FORGE_CALL_STATE, {EVENT_MODE | CONTINUOUS_TIME_MODE, -1}, call_state},
+                 {EXCHANGE, FORGE_CALL_STATE, {INSTANTIATED, -1}, call_state},
+                 {STEPS, FORGE_CALL_STATE, {EVENT_MODE, -1}, call_state},
+                 {STEPS, FORGE_CALL_STATE, {STEP_MODE | FAILED, -1}, call_state},
+                 {STEPS, FORGE_CALL_STATE, {INITIALIZATION_MODE, -1}, call_state},
+                 {STEPS, FORGE_CALL_STATE, {STEP_MODE, 0}, call_state},
+                 {STEPS_WITH_EVENTS, FORGE_CALL_STATE, {CONTINUOUS_TIME_MODE, -1}, call_state},
+                 {STEPS_WITH_EVENTS, FORGE_CALL_STATE, {0, -1}, call_state},
+                 {STEPS_WITH_EVENTS, FORGE_CALL_STATE, {INSTANTIATED, -1}, call_state},
+                 {STEPS_WITH_EVENTS, FORGE_CALL_STATE, {INSTANTIATED, 0}, "refused"},
+                 {STEPS_WITH_EVENTS, FORGE_CONTENT, {CO_SIMULATION, STEP_MODE}, event},
+                 {STEPS_WITH_EVENTS, FORGE_CONTENT, {MODEL_EXCHANGE, EVENT_MODE}, event},
+                 {STEPS_WITH_EVENTS, FORGE_PENDING, {2, -1}, event}};
+    for (size_t i = 0; i < COUNT_OF(cases); ++i) {
+        serialized state;
+        save_on_its_way(cases[i].kind, &state);
+        memcpy(state.bytes + cases[i].offset, cases[i].bytes, (cases[i].bytes[1] < 0 ? 1 : 2) * sizeof(int));
+        assert_refused(cases[i].kind, &state, cases[i].reason);
     }
-}
-
-/* A state from before the start has no pending event either. */
-TEST(an_event_is_pending_in_event_mode_only) {
-    static const int claims[][2] = {{CO_SIMULATION, STEP_MODE}, {MODEL_EXCHANGE, EVENT_MODE}};
-    const int before = INSTANTIATED;
-    const unsigned char begun = 0;
-    serialized state;
-    for (int i = 0; i < 2; ++i) {
-        save_on_its_way(STEPS_WITH_EVENTS, &state);
-        memcpy(state.bytes + FORGE_CONTENT, claims[i], sizeof claims[i]);
-        assert_refused(STEPS_WITH_EVENTS, &state, "the pending event");
-    }
-    save_on_its_way(STEPS_WITH_EVENTS, &state);
-    memcpy(state.bytes + FORGE_CALL_STATE, &before, sizeof before);
-    memcpy(state.bytes + FORGE_BEGUN, &begun, sizeof begun);
-    assert_refused(STEPS_WITH_EVENTS, &state, "refused");
-}
-
-/* Runs to a time, stopping for every event; returns the number of events. */
-static int run_to(fmi3Instance instance, fmi_kind kind, double end) {
-    int events = 0;
-    step_answer step = {.event = kind == STEPS_WITH_EVENTS};
-    for (double time = get_float(instance, "time"); time < end; time = step.time) {
-        if (step.event) {
-            update_answer answer;
-            ++events;
-            assert_int_equal(fmi3EnterEventMode(instance), fmi3OK);
-            assert_int_equal(update(instance, &answer), fmi3OK);
-            assert_int_equal(fmi3EnterStepMode(instance), fmi3OK);
-        }
-        assert_int_equal(do_step(instance, time, end - time, &step), fmi3OK);
-    }
-    return events;
 }
 
 /* The event of the first touchdown, claimed in the swing after the second stance. */
@@ -345,9 +338,7 @@ TEST(an_event_far_from_its_guard_is_not_pending) {
     enum { PENDING = 4, EVENT = 12 };
     serialized at_event, state;
     save_on_its_way(STEPS_WITH_EVENTS, &at_event);
-    fmi3Instance instance = new_on_its_way(STEPS_WITH_EVENTS);
-    assert_int_equal(restore(instance, &at_event), fmi3OK);
-    run_to(instance, STEPS_WITH_EVENTS, 41.0);
+    fmi3Instance instance = new_past_its_event(STEPS_WITH_EVENTS);
     serialize(instance, &state);
     assert_int_equal(state.bytes[FORGE_PENDING], 0);
     memcpy(state.bytes + FORGE_PENDING, at_event.bytes + FORGE_PENDING, PENDING);
@@ -355,24 +346,12 @@ TEST(an_event_far_from_its_guard_is_not_pending) {
     assert_refused(STEPS_WITH_EVENTS, &state, "the pending event");
 }
 
-/* One state runs without having begun; the other has begun but does not run. */
-TEST(a_run_in_a_state_that_it_cannot_be_in_is_refused) {
+TEST(a_run_that_has_not_begun_does_not_run) {
     serialized state;
-    save_on_its_way(STEPS, &state);
-    state.bytes[FORGE_BEGUN] = 0;
-    assert_refused(STEPS, &state, "the state of the call sequence");
-    fmi3Instance instance = new_that_logs(STEPS);
-    serialize(instance, &state);
+    serialize(new_that_logs(STEPS), &state);
     const int running = STEP_MODE;
     memcpy(state.bytes + FORGE_CALL_STATE, &running, sizeof running);
     assert_refused(STEPS, &state, "the state of the call sequence");
-}
-
-TEST(a_truth_that_is_neither_true_nor_false_is_refused) {
-    serialized state;
-    save_on_its_way(STEPS_WITH_EVENTS, &state);
-    memset(state.bytes + FORGE_PENDING, 2, 1);
-    assert_refused(STEPS_WITH_EVENTS, &state, "the pending event");
 }
 
 TEST(work_that_no_run_has_done_is_refused) {
@@ -407,13 +386,12 @@ TEST(a_full_counter_stays_full) {
     for (fmi_kind kind = STEPS; kind < KINDS; ++kind) {
         for (int c = 0; c < 2; ++c) {
             serialized state;
-            fmi3Instance instance = new_on_its_way(kind), other = new_that_logs(kind);
-            run_to(instance, kind, 41.0); /* no event is pending there */
+            fmi3Instance instance = new_past_its_event(kind), other = new_that_logs(kind);
             serialize(instance, &state);
             fill_counter(&state, kind, counters[c]);
             assert_int_equal(restore(other, &state), fmi3OK);
-            const int events = run_to(instance, kind, 100.0);
-            assert_int_equal(run_to(other, kind, 100.0), events);
+            const int events = run_to(&fmi3, instance, 100.0, 100.0);
+            assert_int_equal(run_to(&fmi3, other, 100.0, 100.0), events);
             assert_true(events > 10 || kind == STEPS);
             assert_int_equal(get_int(other, counters[c]), INT_MAX);
             assert_true(get_float(other, "leg.angle") == get_float(instance, "leg.angle"));

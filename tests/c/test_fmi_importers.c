@@ -65,14 +65,14 @@ TEST(contradicting_start_values_are_read_and_what_follows_is_not) {
     double real = 77.0;
     const char *text = "as it was";
     fmi2Component component = new_instance();
-    assert_int_equal(set_real(component, "leg.min_length", 2.0), fmi2OK);
+    set_values(&fmi2, component, "leg.min_length=2.0");
     assert_true(get_real(component, "leg.min_length") == 2.0);
     assert_int_equal(fmi2GetInteger(component, &mode, 1, &number), fmi2Discard);
     assert_non_null(strstr(last_message, "leg.min_length"));
     assert_int_equal(fmi2GetReal(component, &height, 1, &real), fmi2Discard);
     assert_int_equal(fmi2GetString(component, &word, 1, &text), fmi2Discard);
     assert_true(number == 77 && real == 77.0 && strcmp(text, "as it was") == 0);
-    assert_int_equal(set_real(component, "leg.min_length", 0.1), fmi2OK);
+    set_values(&fmi2, component, "leg.min_length=0.1");
     start_running(component);
 }
 
@@ -96,29 +96,6 @@ FMI_TEST(states_set_one_by_one_are_states_set_as_a_whole) {
     assert_int_equal(fmi->get_derivatives(single, found, TDMF_STATE_COUNT), FMI_OK);
     assert_memory_equal(found, expected, sizeof found);
     assert_true(value_of(fmi, single, "body.y") == value_of(fmi, whole, "body.y"));
-}
-
-/* A solver's trial state may lie beyond all starts: below the ground, or at infinity. */
-FMI_TEST(trial_states_go_beyond_the_range_of_starts) {
-    static const double trials[] = {-1e-9, -5.0, 1e300, INFINITY, -INFINITY};
-    const uint32_t pair[] = {reference_of("foot.x"), reference_of("leg.length")};
-    const double half_bad[] = {123.0, NAN};
-    double derivatives[TDMF_STATE_COUNT];
-    void *instance = new_of_kind(fmi, EXCHANGE);
-    begin(fmi, instance, EXCHANGE);
-    const double x = value_of(fmi, instance, "foot.x"), y = value_of(fmi, instance, "foot.y");
-    for (size_t i = 0; i < COUNT_OF(trials); ++i) {
-        assert_int_equal(set_value(fmi, instance, "foot.y", trials[i]), FMI_OK);
-        assert_int_equal(set_value(fmi, instance, "leg.length", trials[i]), FMI_OK);
-        assert_int_equal(fmi->get_derivatives(instance, derivatives, TDMF_STATE_COUNT), FMI_OK);
-        assert_all_finite(derivatives, TDMF_STATE_COUNT);
-    }
-    assert_int_equal(set_value(fmi, instance, "foot.y", y), FMI_OK);
-    assert_int_equal(set_value(fmi, instance, "foot.y", NAN), FMI_DISCARD);
-    assert_non_null(strstr(last_message, "foot.y is not a number"));
-    assert_true(value_of(fmi, instance, "foot.y") == y);
-    assert_int_equal(fmi->set_reals(instance, pair, 2, half_bad), FMI_DISCARD);
-    assert_true(value_of(fmi, instance, "foot.x") == x);
 }
 
 /* States with reinit = false can be set in event mode of Model Exchange only (FMI 3.0.2, section 2.3.5). */
@@ -147,8 +124,7 @@ TEST(event_mode_takes_states_that_no_event_changes) {
 }
 
 FMI_TEST(states_stay_the_units_own_in_co_simulation) {
-    void *instance = new_of_kind(fmi, STEPS);
-    begin(fmi, instance, STEPS);
+    void *instance = begun(fmi, STEPS, "");
     assert_int_equal(set_value(fmi, instance, "foot.x", 1.0), FMI_ERROR);
     assert_non_null(strstr(last_message, "foot.x cannot be set"));
     step_by(fmi, instance, 1.0);
@@ -232,8 +208,7 @@ static fmi2Component failed_slave(void) {
     const fmi2ValueReference friction = reference_of("ground.friction");
     const fmi2Integer first = 1;
     const double rate = 1e200;
-    fmi2Component component = new_slave();
-    initialize(component);
+    fmi2Component component = begun(&fmi2, STEPS, "");
     assert_int_equal(fmi2SetRealInputDerivatives(component, &friction, 1, &first, &rate), fmi2OK);
     assert_int_equal(fmi2DoStep(component, 0.0, 11.0, fmi2True), fmi2Error);
     return component;
@@ -255,15 +230,4 @@ TEST(a_failed_step_leaves_what_may_be_read_and_saved) {
     assert_int_equal(fmi2Reset(component), fmi2OK);
     initialize(component);
     assert_int_equal(fmi2DoStep(component, 0.0, 1.0, fmi2True), fmi2OK);
-}
-
-/* A refused step leaves the run as it was, so that the right step can follow. */
-FMI_TEST(a_step_out_of_place_is_made_good) {
-    step_answer answer;
-    void *instance = new_of_kind(fmi, STEPS);
-    begin(fmi, instance, STEPS);
-    assert_int_equal(fmi->do_step(instance, 0.5, 1.0, &answer), FMI_ERROR);
-    assert_int_equal(fmi->do_step(instance, 0.0, -1.0, &answer), FMI_ERROR);
-    assert_int_equal(fmi->do_step(instance, 0.0, 1.0, &answer), FMI_OK);
-    assert_int_equal(fmi->do_step(instance, 1.0, 1.0, &answer), FMI_OK);
 }

@@ -9,9 +9,6 @@
 
 #include <string.h>
 
-static const char *const mechanical[TDMF_MECHANICAL_COUNT] = {
-    "foot.x", "foot.y", "leg.length", "leg.angle", "foot.vx", "foot.vy", "leg.length_rate", "leg.angle_rate"};
-
 static uint32_t clamp_reference(void) {
     return reference_of("hip.swing_clamp");
 }
@@ -51,17 +48,10 @@ FMI_TEST(it_is_set_before_the_start_and_never_after) {
 static void assert_stride(const fmi_interface *fmi, const reference_gait *gait, int method,
                           double tolerance) {
     const tdmf_model model = table_1(gait->swing_clamp);
-    const tdmf_inputs inputs = inputs_at_friction(gait->friction);
-    double start[TDMF_STATE_COUNT];
     void *instance = new_of_kind(fmi, STEPS);
-    tdmf_section_state((tdmf_system){&model, &inputs}, (const double *)&gait->apex, start);
-    for (int i = 0; i < TDMF_MECHANICAL_COUNT; ++i) {
-        assert_int_equal(set_value(fmi, instance, mechanical[i], start[i]), FMI_OK);
-    }
-    set_clamp(fmi, instance, gait->swing_clamp);
-    assert_int_equal(set_value(fmi, instance, "ground.friction", gait->friction), FMI_OK);
+    set_apex(fmi, instance, &model, gait->friction, (const double *)&gait->apex);
     assert_int_equal(fmi->set_item(instance, reference_of("solver.method"), method), FMI_OK);
-    assert_int_equal(set_value(fmi, instance, "solver.relative_tolerance", 1e-12), FMI_OK);
+    set_values(fmi, instance, "solver.relative_tolerance=1e-12");
     begin(fmi, instance, STEPS);
     step_by(fmi, instance, gait->period + 0.1);
     assert_int_equal(integer_of(fmi, instance, "stride.count"), 1);
@@ -113,12 +103,8 @@ FMI_TEST(without_it_derivatives_are_those_of_the_servo) {
     for (int clamp = 0; clamp < 2; ++clamp) {
         void *instance = new_rising(fmi, EXCHANGE, clamp == 1);
         for (size_t i = 0; i < COUNT_OF(columns); ++i) {
-            const uint32_t known = reference_of(columns[i].known);
             const bool outside = strcmp(columns[i].known, "hip.external_torque") == 0;
-            const double one = 1.0;
-            double derivative;
-            assert_int_equal(fmi->directional_derivative(instance, &torque, 1, &known, 1, &one, &derivative),
-                             FMI_OK);
+            const double derivative = derivative_of(fmi, instance, torque, reference_of(columns[i].known));
             assert_close(derivative, clamp == 0 || outside ? columns[i].of_torque : 0.0, 1e-15);
         }
     }
