@@ -81,14 +81,6 @@ const fmu_variable *find_variable(const instance *fmu, uint32_t reference, unsig
 
 /* ---- getting ------------------------------------------------------------------------------------------ */
 
-void write_double(void *values, size_t i, double number) {
-    ((double *)values)[i] = number;
-}
-
-double read_double(const void *values, size_t i) {
-    return ((const double *)values)[i];
-}
-
 call_status get_numbers(instance *fmu, unsigned types, const uint32_t references[], size_t count,
                         void *values, number_writer write) {
     if (!ARE_GIVEN(fmu, count, references, values)) {
@@ -126,21 +118,18 @@ call_status get_texts(instance *fmu, const uint32_t references[], size_t count, 
 
 /* ---- setting ------------------------------------------------------------------------------------------ */
 
-static bool is_settable_now(const instance *fmu, const fmu_variable *variable) {
-    const unsigned state = (unsigned)fmu->run.state;
-    if (fmu_is_set_at_events(variable) && (state & (EVENT_MODE | STEP_MODE)) != 0) {
-        return true;
+/* The states in which a variable may be set (FMI 2.0, table of section 3.2.3, whose note 5 has the states of
+ * Model Exchange; FMI 3.0.2, sections 2.3.5 and 3.2.1). States are trial values in continuous-time mode. */
+static unsigned settable_in(const instance *fmu, const fmu_variable *variable) {
+    const unsigned before = variable->settable_before_start ? BEFORE_START : 0;
+    const bool is_steady = is_exchange(fmu) && !variable->changes_at_events;
+    if (fmu_is_set_at_events(variable)) {
+        return before | EVENT_MODE | STEP_MODE;
     }
-    if (variable->storage == STORED_INPUT && variable->variability == VARIABILITY_CONTINUOUS) {
-        return true;
+    if (variable->storage == STORED_STATE) {
+        return before | CONTINUOUS_TIME_MODE | (is_steady ? EVENT_MODE : 0);
     }
-    if (variable->storage == STORED_STATE && state == CONTINUOUS_TIME_MODE) {
-        return true;
-    }
-    if (variable->storage == STORED_STATE && state == EVENT_MODE) {
-        return is_exchange(fmu) && !variable->changes_at_events;
-    }
-    return (state & BEFORE_START) != 0 && variable->settable_before_start;
+    return variable->storage == STORED_INPUT ? BEFORE_START | RUNNING : before;
 }
 
 /* True for a setting that changes at events only, in continuous-time mode. A new value is ignored there,
@@ -162,10 +151,10 @@ static call_status check_set(instance *fmu, unsigned types, uint32_t reference, 
     if (keeps_its_value(fmu, variable)) {
         return CALL_OK;
     }
-    if (!is_settable_now(fmu, variable)) {
-        const bool settable_at_times = variable->settable_before_start || variable->storage == STORED_STATE;
+    const unsigned states = settable_in(fmu, variable);
+    if ((states & (unsigned)fmu->run.state) == 0) {
         return answer(fmu, CALL_ERROR, "%s cannot be set %s", variable->name,
-                      settable_at_times ? name_of_state((call_state)fmu->run.state) : "at any time");
+                      states == 0 ? "at any time" : name_of_state((call_state)fmu->run.state));
     }
     if (is_trial(fmu, variable)) {
         return isnan(value) ? answer(fmu, CALL_DISCARD, "%s is not a number", variable->name) : CALL_OK;

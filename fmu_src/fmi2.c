@@ -89,6 +89,14 @@ CALL(Reset, MADE_EVER, (fmi2Component c), reset(c))
 
 static const unsigned integers = VARIABLE_INTEGER | VARIABLE_ENUMERATION;
 
+static void write_double(void *values, size_t i, double number) {
+    ((double *)values)[i] = number;
+}
+
+static double read_double(const void *values, size_t i) {
+    return ((const double *)values)[i];
+}
+
 static void write_int(void *values, size_t i, double number) {
     ((int *)values)[i] = (int)number;
 }

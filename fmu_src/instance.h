@@ -99,8 +99,7 @@ typedef struct {
 
 /* Values that follow from a run, computed on request. */
 typedef struct {
-    double
-        numbers[UNIT_NUMBER_COUNT + 1]; /* those of the run, with times as the importer's clock shows them */
+    double numbers[UNIT_NUMBER_COUNT + 1]; /* of the run, with times as the importer's clock shows them */
     double derivatives[UNIT_CONTINUOUS_COUNT + 1];
     double guards[UNIT_GUARD_COUNT + 1];
     double outputs[UNIT_OUTPUT_COUNT + 1];
@@ -216,24 +215,14 @@ const fmu_variable *find_variable(const instance *fmu, uint32_t reference, unsig
 /* Access to numbers in the importer's arrays: one function for each of its types. */
 typedef void (*number_writer)(void *values, size_t i, double number);
 typedef double (*number_reader)(const void *values, size_t i);
-void write_double(void *values, size_t i, double number);
-double read_double(const void *values, size_t i);
 
 call_status get_numbers(instance *fmu, unsigned types, const uint32_t references[], size_t count,
                         void *values, number_writer write);
 
 /* A set is all or nothing; it checks each variable's own range, while checks across variables wait for the
- * end of initialization, because importers set one by one in any order. Which variables may be set when:
- *
- *     before the run          parameters, inputs, states with a start value
- *     event mode              inputs, tunable parameters; in Model Exchange states that no event changes
- *                             (reinit = false)
- *     continuous-time mode    continuous inputs and states, these as trial values of the importer's solver
- *     step mode               inputs, tunable parameters
- *
- * In continuous-time mode, variables that change at events only keep their values, and a call that sets
- * another value gives a warning. Setting an input also sets its rate to 0.
- * (FMI 2.0, table of section 3.2.3, whose note 5 has the states; FMI 3.0.2, sections 2.3.5 and 3.2.1.) */
+ * end of initialization, because importers set one by one in any order. In continuous-time mode, variables
+ * that change at events only keep their values, and a call that sets another value gives a warning. Setting
+ * an input also sets its rate to 0. */
 call_status set_numbers(instance *fmu, unsigned types, const uint32_t references[], size_t count,
                         const void *values, number_reader read);
 
@@ -251,6 +240,12 @@ bool bring_view_up_to_date(instance *fmu);
 
 /* Writes a word as a text for the importer, and returns it. */
 const char *word_text(instance *fmu, size_t word);
+
+/* Nominals are typical magnitudes of the states; importers make absolute tolerances of them. */
+call_status get_states(instance *fmu, double states[], size_t count);
+call_status get_derivatives(const instance *fmu, double derivatives[], size_t count);
+call_status get_indicators(const instance *fmu, double indicators[], size_t count);
+call_status get_nominals(const instance *fmu, double nominals[], size_t count);
 
 /* ---- run.c: start, events and steps -------------------------------------------------------------------- */
 
@@ -277,10 +272,6 @@ bool complete_step(instance *fmu);
 
 call_status set_time(instance *fmu, double time);
 call_status set_states(instance *fmu, const double states[], size_t count);
-call_status get_states(instance *fmu, double states[], size_t count);
-call_status get_derivatives(const instance *fmu, double derivatives[], size_t count);
-call_status get_indicators(const instance *fmu, double indicators[], size_t count);
-call_status get_nominals(const instance *fmu, double nominals[], size_t count);
 
 /* Co-Simulation: a step to time + step; with `stop_at_event`, to the first event if that comes before or
  * then, which is left for an update of the discrete states to take. A run that has ended stays readable,

@@ -37,7 +37,7 @@ void take_from_world(instance *fmu) {
     tdmf_take_from_world(unit_model, fmu->run.motion.shown, parameters_of(fmu), states_of(fmu), room);
 }
 
-/* ---- what importers' solvers ask for ------------------------------------------------------------------- */
+/* ---- rates and guards ---------------------------------------------------------------------------------- */
 
 /* Picks the continuous states of the unit from values by state. */
 static void pick_states(const double *values, double picked[]) {
@@ -73,34 +73,13 @@ static void indicators_at(const instance *fmu, const tdmf_page_instant *at, doub
     }
 }
 
-static void derivatives_at(const tdmf_page_instant *at, double derivatives[]) {
+/* Derivatives are limited as trial states are: an importer's solver then finds that its step was too long. */
+static void derivatives_at(const instance *fmu, const tdmf_page_instant *at, double derivatives[]) {
     double rates[UNIT_STATE_COUNT + 1];
     tdmf_page_world_rates(at, rates);
     pick_states(rates, derivatives);
     for (int i = 0; i < UNIT_CONTINUOUS_COUNT; ++i) {
         derivatives[i] = within_largest(derivatives[i]);
-    }
-}
-
-void write_indicators(const instance *fmu, double indicators[]) {
-    const tdmf_page_instant at = instant_of(fmu);
-    indicators_at(fmu, &at, indicators);
-}
-
-void write_derivatives(const instance *fmu, double derivatives[]) {
-    const tdmf_page_instant at = instant_of(fmu);
-    derivatives_at(&at, derivatives);
-}
-
-void write_states(const instance *fmu, double states[]) {
-    pick_states(states_of(fmu), states);
-}
-
-void write_nominals(const instance *fmu, double nominals[]) {
-    const tdmf_page_instant at = instant_of(fmu);
-    pick_states(at.scales, nominals);
-    for (int i = 0; i < UNIT_NOMINAL_COUNT; ++i) {
-        nominals[unit_nominals[i].state] = unit_nominals[i].size(at.p, at.x);
     }
 }
 
@@ -120,7 +99,7 @@ void evaluate(instance *fmu) {
             view->numbers[UNIT_PARAMETER_COUNT + i] = shown_time(&fmu->run, states_of(fmu)[i]);
         }
     }
-    derivatives_at(&at, view->derivatives);
+    derivatives_at(fmu, &at, view->derivatives);
     indicators_at(fmu, &at, view->guards);
     shown_mode_of(fmu)->outputs(parameters_of(fmu), states_of(fmu), view->outputs);
     for (int i = 0; i < UNIT_OUTPUT_COUNT; ++i) {
@@ -173,4 +152,59 @@ const char *word_text(instance *fmu, size_t word) {
     }
     memcpy(text, letters + place, (size_t)(WORD_CAPACITY - place));
     return text;
+}
+
+/* ---- what importers' solvers ask for ------------------------------------------------------------------- */
+
+/* Before the run, the start calculates states without a start value. */
+call_status get_states(instance *fmu, double states[], size_t count) {
+    if (!array_is_given(fmu, states, count, UNIT_CONTINUOUS_COUNT)) {
+        return CALL_ERROR;
+    }
+    if (!fmu->run.has_begun && !bring_view_up_to_date(fmu)) {
+        return CALL_DISCARD;
+    }
+    for (int i = 0; i < UNIT_CONTINUOUS_COUNT; ++i) {
+        const bool is_calculated = !fmu->run.has_begun && !unit_states[i].has_start;
+        const double *numbers = is_calculated ? fmu->view.numbers : fmu->run.motion.numbers;
+        states[i] = numbers[UNIT_PARAMETER_COUNT + unit_states[i].index];
+    }
+    return CALL_OK;
+}
+
+/* Writes values of the run or, before it begins, of the run that would start now. */
+static call_status get_values(const instance *fmu, double values[], size_t count, size_t wanted,
+                              void (*write)(const instance *fmu, const tdmf_page_instant *at,
+                                            double values[])) {
+    instance preview;
+    if (!array_is_given(fmu, values, count, wanted)) {
+        return CALL_ERROR;
+    }
+    const instance *present = present_instance(fmu, &preview);
+    if (present == NULL) {
+        return CALL_DISCARD;
+    }
+    const tdmf_page_instant at = instant_of(present);
+    write(present, &at, values);
+    return CALL_OK;
+}
+
+call_status get_derivatives(const instance *fmu, double derivatives[], size_t count) {
+    return get_values(fmu, derivatives, count, UNIT_CONTINUOUS_COUNT, derivatives_at);
+}
+
+call_status get_indicators(const instance *fmu, double indicators[], size_t count) {
+    return get_values(fmu, indicators, count, UNIT_GUARD_COUNT, indicators_at);
+}
+
+call_status get_nominals(const instance *fmu, double nominals[], size_t count) {
+    if (!array_is_given(fmu, nominals, count, UNIT_CONTINUOUS_COUNT)) {
+        return CALL_ERROR;
+    }
+    const tdmf_page_instant at = instant_of(fmu);
+    pick_states(at.scales, nominals);
+    for (int i = 0; i < UNIT_NOMINAL_COUNT; ++i) {
+        nominals[unit_nominals[i].state] = unit_nominals[i].size(at.p, at.x);
+    }
+    return CALL_OK;
 }

@@ -188,19 +188,18 @@ static bool take_pending_event(instance *fmu) {
 }
 
 /* Restores states that an event has made NaN, because of a trial state. */
-static void keep_numbers(instance *fmu, const double states[]) {
+static void keep_numbers(instance *fmu, const unit_run *begun) {
     for (int i = 0; i < UNIT_CONTINUOUS_COUNT; ++i) {
-        double *x = &states_of(fmu)[unit_states[i].index];
-        *x = isnan(*x) ? states[i] : *x;
+        const int place = UNIT_PARAMETER_COUNT + unit_states[i].index;
+        double *number = &fmu->run.motion.numbers[place];
+        *number = isnan(*number) ? begun->motion.numbers[place] : *number;
     }
 }
 
 /* Takes all events that are due. If they are refused, the run is as it was. */
 static bool take_events(instance *fmu, bool *state_changed) {
     const unit_run begun = fmu->run;
-    double states[UNIT_CONTINUOUS_COUNT + 1];
     bool is_resolved;
-    write_states(fmu, states);
     bool changed = take_pending_event(fmu) | (fmu->run.has_jumped != 0);
     fmu->run.has_jumped = 0;
     changed |= account_for_jumps(fmu);
@@ -218,7 +217,7 @@ static bool take_events(instance *fmu, bool *state_changed) {
     if (changed) {
         show_to_world(fmu);
         if (is_exchange(fmu)) {
-            keep_numbers(fmu, states);
+            keep_numbers(fmu, &begun);
             take_from_world(fmu); /* the importer's states are the ones that count */
         }
         account_for_all(fmu);
@@ -310,53 +309,6 @@ call_status set_states(instance *fmu, const double states[], size_t count) {
     take_from_world(fmu);
     fmu->view_is_current = false;
     return CALL_OK;
-}
-
-/* Before the run, the start calculates states without a start value. */
-call_status get_states(instance *fmu, double states[], size_t count) {
-    if (!array_is_given(fmu, states, count, UNIT_CONTINUOUS_COUNT)) {
-        return CALL_ERROR;
-    }
-    if (!fmu->run.has_begun && !bring_view_up_to_date(fmu)) {
-        return CALL_DISCARD;
-    }
-    write_states(fmu, states);
-    for (int i = 0; i < UNIT_CONTINUOUS_COUNT && !fmu->run.has_begun; ++i) {
-        const double calculated = fmu->view.numbers[UNIT_PARAMETER_COUNT + unit_states[i].index];
-        states[i] = unit_states[i].has_start ? states[i] : calculated;
-    }
-    return CALL_OK;
-}
-
-call_status get_nominals(const instance *fmu, double nominals[], size_t count) {
-    if (!array_is_given(fmu, nominals, count, UNIT_CONTINUOUS_COUNT)) {
-        return CALL_ERROR;
-    }
-    write_nominals(fmu, nominals);
-    return CALL_OK;
-}
-
-/* Writes values of the run or, before it begins, of the run that would start now. */
-static call_status get_values(const instance *fmu, double values[], size_t count, size_t wanted,
-                              void (*write)(const instance *fmu, double values[])) {
-    instance preview;
-    if (!array_is_given(fmu, values, count, wanted)) {
-        return CALL_ERROR;
-    }
-    const instance *present = present_instance(fmu, &preview);
-    if (present == NULL) {
-        return CALL_DISCARD;
-    }
-    write(present, values);
-    return CALL_OK;
-}
-
-call_status get_derivatives(const instance *fmu, double derivatives[], size_t count) {
-    return get_values(fmu, derivatives, count, UNIT_CONTINUOUS_COUNT, write_derivatives);
-}
-
-call_status get_indicators(const instance *fmu, double indicators[], size_t count) {
-    return get_values(fmu, indicators, count, UNIT_GUARD_COUNT, write_indicators);
 }
 
 /* ---- Co-Simulation ------------------------------------------------------------------------------------- */

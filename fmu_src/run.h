@@ -38,13 +38,6 @@ const char *number_out_of_range(const double numbers[]);
 void show_to_world(instance *fmu);
 void take_from_world(instance *fmu);
 
-/* Derivatives are limited as trial states are: the importer's solver then finds that its step was too long.
- * Nominals are typical magnitudes of the states; importers make absolute tolerances of them. */
-void write_states(const instance *fmu, double states[]);
-void write_derivatives(const instance *fmu, double derivatives[]);
-void write_indicators(const instance *fmu, double indicators[]);
-void write_nominals(const instance *fmu, double nominals[]);
-
 /* Computes the view of the run. */
 void evaluate(instance *fmu);
 

@@ -201,18 +201,17 @@ static bool event_may_be_pending(const instance *fmu) {
     return guard_of_pending_event(&stopped, &kind) <= rounding_at_event;
 }
 
-static bool rates_are_finite(const instance *fmu) {
-    double derivatives[UNIT_CONTINUOUS_COUNT + 1];
+static bool rates_are_finite(instance *fmu) {
     bool finite = true;
-    write_derivatives(fmu, derivatives);
+    evaluate(fmu);
     for (int i = 0; i < UNIT_CONTINUOUS_COUNT; ++i) {
-        finite &= fabs(derivatives[i]) < fmu_largest_state;
+        finite &= fabs(fmu->view.derivatives[i]) < fmu_largest_state;
     }
     return finite;
 }
 
 /* The name of the first contradiction in a run that has begun. */
-static const char *wrong_run(const instance *fmu) {
+static const char *wrong_run(instance *fmu) {
     const char *wrong = clocks_agree(fmu) ? wrong_state(fmu) : "the time";
     if (wrong == NULL && !is_exchange(fmu)) {
         wrong = wrong_coordinate(fmu);

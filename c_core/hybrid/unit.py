@@ -393,18 +393,11 @@ class Unit:
         return given
 
 
-def unit_texts(unit):
-    """The C of a unit by file, but for what no page changes and for its identity, FMU_GUID in guid.h."""
-    texts = generate(unit.page) | {"unit_page.h": header(unit)}
-    texts["unit_page.c"] = tables(unit)
-    forget_expressions()
-    return texts
-
-
 def unit_of(model, version="0"):
-    """The unit of a page, with its identity, and its C by file."""
+    """The unit of a page, with its identity, and its C by file, but for what no page changes."""
     unit = Unit(Page(model))
-    texts = unit_texts(unit)
+    texts = generate(unit.page) | {"unit_page.h": header(unit), "unit_page.c": tables(unit)}
+    forget_expressions()
     identify(unit, texts, version)
     return unit, texts
 
