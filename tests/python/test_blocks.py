@@ -322,19 +322,6 @@ def test_the_command_runs_on_a_cluster(executors, command):
     assert printed[0] == printed[1] == printed[2] and json.loads(printed[0][1])
 
 
-@pytest.mark.parametrize(
-    ("given", "said"),
-    [
-        (("--scheduler", "nonsense://here"), "no Dask scheduler answers"),
-        (("--scheduler", "tcp://a:1", "--workers", 2), "--workers and --scheduler are both given"),
-        (("--workers", 0), "0 is not in the range"),
-    ],
-)
-def test_wrong_workers_are_said(command, given, said):
-    status, out, message = command("rough", "--roughness", 0.1, *given)
-    assert (status, out) == (2, "") and said in message
-
-
 def test_who_listens_and_is_no_scheduler_is_not_waited_for(command, monkeypatch):
     monkeypatch.setattr(options, "CONNECTING", 1.0)
     with socket.create_server(("127.0.0.1", 0)) as silent:

@@ -249,21 +249,6 @@ def test_words_are_beside_their_lines_and_hide_nothing(over_angle):
         assert not np.any(np.all((low < drawn) & (drawn < high), axis=2))
 
 
-@pytest.mark.parametrize(
-    ("over", "said"),
-    [
-        ("leg.damping", "--vary leg.damping: allowed: NAME=A:B"),
-        ("leg.damping=0.1", "allowed: A:B"),
-        ("leg.damping=0.1:0.1", "two ends that differ"),
-        ("leg.damp=0.1:0.2", "leg.damping"),
-        ("leg.damping=-1:0.2", "leg.damping = -1"),
-    ],
-)
-def test_a_wrong_range_is_refused(command, over, said):
-    status, out, complaint = command("continue", "--vary", over)
-    assert (status, out) == (2, "") and said in complaint
-
-
 def test_a_sweep_says_that_a_fold_ends_its_branch(command):
     """The fast human down to friction 0.35, below the fold at 0.3836, and up from there."""
     options = ("--parameters", str(FAST_HUMAN), "--json")
@@ -295,10 +280,3 @@ def test_a_sweep_over_any_parameter_alone(command, tmp_path):
     assert data["leg.damping"].attrs["units"] == "N.s/m" and data["branch"].values.tolist() == [0, 0, 0]
     status, out, _ = command(*over, "--set", "ground.friction=0.43", "--json")
     assert json.loads(out)["gaits"] == printed["gaits"]
-    for wrong, said in (
-        (("--friction", "0.4:0.5:2", "--set", "ground.friction=0.6"), "--friction both give"),
-        (("--vary", "ground.friction=0.4:0.5:2", "--friction", "0.6"), "--friction both give"),
-        ((), "neither --friction nor --vary"),
-    ):
-        status, out, complaint = command("sweep", *wrong)
-        assert (status, out) == (2, "") and said in complaint

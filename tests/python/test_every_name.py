@@ -76,8 +76,3 @@ def test_none_takes_what_is_beyond_its_range(command, fmu):
             assert name in sentence and repr(beyond) in sentence and "allowed: " in sentence
             refused += 1
     assert refused == 4 * 27
-
-
-def test_a_patch_that_ends_before_it_begins_is_refused(command):
-    status, out, err = command("gait", "--set", "ground.patch_begin=6", "--set", "ground.patch_end=5")
-    assert status == 2 and not out and "ground.patch_end = 5" in err

@@ -29,13 +29,6 @@ def test_figures_have_the_width_resolution_and_format_that_are_asked_for(command
     assert (tmp_path / "again/figure_4a.pdf").read_bytes() == page
 
 
-def test_formats_and_widths_that_are_not_to_be_had_are_refused(command):
-    status, _, said = command("figures", "--format", "png,eps")
-    assert status == 2 and "'eps'" in said and "pdf" in said
-    status, _, said = command("figures", "--width", "1")
-    assert status == 2 and "12" in said
-
-
 def test_a_foot_that_swings_above_the_body_is_in_the_picture(command, tmp_path):
     options = ("--friction", "0.2", "--set", "ground.slope=1.5 deg", "--frames", "12")
     assert command("animate", "--output", "run.gif", *options)[0] == 0
@@ -92,5 +85,3 @@ def test_without_ffmpeg_a_film_is_refused(command, monkeypatch):
     monkeypatch.setattr(animation.FFMpegWriter, "isAvailable", lambda: False)
     status, _, said = command("animate", "--output", "run.mp4")
     assert status == 2 and "ffmpeg is not installed" in said and ".gif" in said
-    status, _, said = command("animate", "--output", "run.avi")
-    assert status == 2 and ".avi" in said and ".mp4" in said

@@ -125,11 +125,6 @@ def test_the_command_takes_what_is_known_and_leaves_data_out(tmp_path, command):
     assert status == 0 and "the errors are taken" in out
     status, out, _ = command(*arguments, "--linear", "--without-each")
     assert status == 0 and "hip.stance_torque moves by errors" in out
-    for prior, words in (("leg.stiffness", "NAME=VALUE,ERROR"), ("leg.stiffness=1,a", "NAME=VALUE,ERROR")):
-        status, out, said = command(*arguments[:-1], prior)
-        assert (status, out) == (2, "") and words in said
-    status, _, said = command(*arguments, "--prior", "leg.stiffness=1.0,0.05")
-    assert status == 2 and "given twice" in said
 
 
 def test_a_prior_and_a_datum_weigh_by_their_errors():

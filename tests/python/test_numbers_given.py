@@ -114,25 +114,6 @@ def test_what_has_no_number_was_not_measured(tmp_path):
             assert rows == measurements_of(table).rows == measurements_of(table.convert_dtypes()).rows
 
 
-@pytest.mark.parametrize(
-    "arguments",
-    [
-        ("gait", "--friction", "0_6"),
-        ("gait", "--target", "speed=1_0", "--vary", "hip.stance_torque"),
-        ("sweep", "--friction", "0.5:0_6:2"),
-        ("sweep", "--friction", "0.5:0.6:1_0"),
-        ("simulate", "--strides", "1_0"),
-        ("rough", "--roughness", "0_1"),
-        ("fit", "human_running", "--vary", "leg.stiffness", "--prior", "leg.free_length=1,0_1"),
-        ("prove", "--friction", "0_6"),
-    ],
-    ids=" ".join,
-)
-def test_an_underscore_is_no_digit(command, arguments):
-    status, out, err = command(*arguments)
-    assert status == 2 and not out and "_" in err.splitlines()[-1]
-
-
 MARK = "\ufeff"
 
 

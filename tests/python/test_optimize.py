@@ -18,7 +18,6 @@ SLIPPING = {"ground.friction": 0.2}
 STICKING = {"ground.friction": 10.0}
 VARIED = ("hip.touchdown_angle", "hip.stance_torque", "leg.damping", "ground.friction")
 ANGLE, TORQUE = "hip.touchdown_angle", "hip.stance_torque"
-FASTEST = f"--maximize speed --vary {ANGLE}=0.5:0.9"
 
 
 def space_around(gait, names=VARIED):
@@ -122,31 +121,6 @@ def test_a_speed_that_no_gait_has_is_reported_with_the_nearest(command):
     nearest = refused.value.nearest
     fastest = optimize({}, {TORQUE: (0.1, 0.3)}, maximize="speed", starts=1)
     assert nearest.stride["speed"] == pytest.approx(fastest.value, rel=1e-6)
-
-
-@pytest.mark.parametrize(
-    ("arguments", "words"),
-    [
-        (f"--minimize sped --vary {ANGLE}=0.5:0.9", "minimize 'sped'"),
-        (f"--maximize speed --vary {ANGLE}=0.9:0.5", "A below B"),
-        (f"--maximize speed --vary {ANGLE}=0.5", "A:B"),
-        ("--maximize speed --vary leg.stifness=1:2", "leg.stiffness"),
-        ("--maximize speed --vary leg.min_length=0.01:0.02", "has no effect"),
-        (f"--maximize speed --minimize speed --vary {ANGLE}=0.5:0.9", "that differ"),
-        (f"--vary {ANGLE}=0.5:0.9", "neither given"),
-        (f"{FASTEST} --target speed=1", "another quantity"),
-        (f"{FASTEST} --target slip_distance", "QUANTITY=VALUE"),
-        (f"{FASTEST} --target slips=1", "slip_distance"),
-        (f"{FASTEST} --target length=nan", "length = nan"),
-        (f"{FASTEST} --target length=1 --target duty_factor=1", "no more quantities than parameters"),
-        (f"{FASTEST} --set {ANGLE}=0.6", "one of the two"),
-        (f"{FASTEST} --vary {ANGLE}=0.5:0.9", "given twice"),
-    ],
-)
-def test_what_cannot_be_asked_is_refused_in_a_line(command, arguments, words):
-    status, out, said = command("optimize", *arguments.split())
-    assert (status, out) == (2, "")
-    assert words in said and len(said.strip().splitlines()) == 1
 
 
 def test_the_command_prints_a_table_before_and_after(command):

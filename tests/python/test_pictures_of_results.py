@@ -254,5 +254,3 @@ def test_the_command_draws_a_gait_and_says_where_the_picture_is(command, tmp_pat
     assert plt.imread(tmp_path / "gait.png").std() > 0.05
     status, out, _ = command("gait", "--friction", "0.43", "--plot", "my.svg", "--json")
     assert status == 0 and json.loads(out)["word"] == "+0-" and (tmp_path / "my.svg").is_file()
-    status, _, said = command("gait", "--friction", "0.43", "--plot", "my.txt")
-    assert status == 2 and "--plot" in said

@@ -141,19 +141,6 @@ def test_the_command_prints_the_proof():
     )
 
 
-@pytest.mark.parametrize(
-    "options",
-    [["--border", "0.2:0.3", "--vary", "ground.friction=1:2"], ["--border", "0.2:0.3", "--output", "x.jsonl"],
-     ["--workers", "2"], ["--compare", "--vary", "ground.friction=1:2"],
-     ["--vary", "ground.friction"], ["--vary", "ground.friction=2:1"]],
-)  # fmt: skip
-def test_options_that_do_not_go_together_are_refused(options, tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    ran = CliRunner().invoke(prove_command, options, standalone_mode=False)
-    assert isinstance(ran.exception, InputError)
-    assert not list(tmp_path.iterdir())
-
-
 def check_border(proof, known):
     assert proof.proved
     assert agree(proof.as_json()["value"], known["friction"])

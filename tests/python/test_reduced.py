@@ -155,7 +155,7 @@ def test_a_basin_is_the_whole_plane(tmp_path):
         )
 
 
-def test_what_makes_no_sense_is_refused(command):
+def test_what_makes_no_sense_is_refused():
     with pytest.raises(InputError, match="model 'half'"):
         find_gait(model="half")
     with pytest.raises(InputError, match="com_height, com_speed"):
@@ -166,11 +166,6 @@ def test_what_makes_no_sense_is_refused(command):
         Batch(reduced(), np.ones((1, 6)))
     with pytest.raises(RunError, match="there is no apex above the ground"):
         find_gait(guess=[0.3, 1.0], model="reduced")
-    status, said, problem = command(
-        "basin", "--model", "reduced", "--axes", "com_height", "--axes", "leg_angle"
-    )
-    assert (status, said) == (2, "")
-    assert "'leg_angle' is not allowed; allowed: com_height, com_speed" in problem
 
 
 def test_stability_over_a_plane_is_that_of_each_gait_and_empty_where_there_is_none():

@@ -101,24 +101,6 @@ def test_the_command_prints_the_mean(command):
     assert printed["falls"] + printed["censored"] == 64
 
 
-@pytest.mark.parametrize(
-    ("arguments", "message"),
-    [
-        ("--roughness -1", "--roughness = -1.0 is not allowed"),
-        ("--roughness nan", "--roughness = nan is not allowed"),
-        ("--roughness 0.1 --runners 0", "--runners = 0 is not allowed"),
-        ("--roughness 0.1 --seed -1", "--seed = -1 is not allowed"),
-        ("--roughness 0.1 --max-strides 0", "--max-strides = 0 is not allowed"),
-        ("", "--roughness"),
-        ("--roughness 0.5 --seed 3 --rare --runners 5", "--runners"),
-    ],
-)
-def test_the_command_refuses_wrong_ground(command, arguments, message):
-    status, out, said = command("rough", *arguments.split())
-    assert (status, out) == (2, "")
-    assert message in said
-
-
 def test_rough_ground_is_of_the_full_model():
     with pytest.raises(InputError, match="reduced map"):
         strides_to_fall(Runner(model="reduced"), 0.1)

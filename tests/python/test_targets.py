@@ -177,29 +177,6 @@ def test_the_command_reports_the_nearest_gait_and_the_helps(command):
     assert "hip.stance_torque" not in printed["helps"]
 
 
-@pytest.mark.parametrize(
-    ("target", "vary", "words"),
-    [
-        ("", "leg.stiffness", "nothing is prescribed"),
-        ("speed=1", "", "--vary is missing"),
-        ("speed=1 frequency=1", "leg.damping", "as many parameters as are prescribed, 2"),
-        ("speed=1 frequency=1", "leg.damping,leg.damping", "given twice"),
-        ("speed=1", "leg.stifness", "leg.stiffness"),
-        ("speed=1", "leg.min_length", "has no effect"),
-        ("speed=1 length=9", "hip.stance_torque,control.stance_torque", "each in its own way"),
-        ("speed=nan", "leg.stiffness", "speed = nan is not allowed"),
-        ("frequency=-1", "leg.stiffness", "frequency = -1.0 is not allowed"),
-        ("duty_factor=1.5", "leg.stiffness", "duty_factor = 1.5 is not allowed"),
-        ("speed=1 length=1 frequency=1", "leg.stiffness,leg.damping,hip.kp", "two of them"),
-    ],
-)
-def test_a_bad_target_gets_one_sentence(command, target, vary, words):
-    arguments = [part for one in target.split() for part in ("--target", one)]
-    status, out, said = command("gait", *arguments, *(("--vary", vary) if vary else ()))
-    assert (status, out) == (2, "")
-    assert words in said and len(said.strip().splitlines()) == 1
-
-
 @pytest.mark.parametrize("target", [{}, {"velocity": 1.0}, {"speed": "fast"}, 3.0])
 def test_a_target_of_the_wrong_kind_is_refused(target):
     with pytest.raises(InputError, match=r"target|speed"):
