@@ -73,17 +73,17 @@ void fmi2FreeInstance(fmi2Component c) {
     instance_free(c);
 }
 
-CALL(SetDebugLogging, MADE_EVER, (fmi2Component c, fmi2Boolean on, size_t count, const fmi2String names[]),
+CALL(SetDebugLogging, ALWAYS_ALLOWED,
+     (fmi2Component c, fmi2Boolean on, size_t count, const fmi2String names[]),
      set_logging(c, on != fmi2False, count, names))
-CALL(SetupExperiment, MADE_BEFORE_INITIALIZATION,
+CALL(SetupExperiment, BEFORE_INITIALIZATION,
      (fmi2Component c, fmi2Boolean has_tolerance, fmi2Real tolerance, fmi2Real start, fmi2Boolean has_stop,
       fmi2Real stop),
      set_experiment(c, has_tolerance != fmi2False, tolerance, start, has_stop != fmi2False, stop))
-CALL(EnterInitializationMode, MADE_BEFORE_INITIALIZATION, (fmi2Component c),
-     enter_state(c, INITIALIZATION_MODE))
-CALL(ExitInitializationMode, MADE_IN_INITIALIZATION, (fmi2Component c), exit_initialization(c))
-CALL(Terminate, MADE_WHILE_RUNNING, (fmi2Component c), enter_state(c, TERMINATED))
-CALL(Reset, MADE_EVER, (fmi2Component c), reset(c))
+CALL(EnterInitializationMode, BEFORE_INITIALIZATION, (fmi2Component c), enter_state(c, INITIALIZATION_MODE))
+CALL(ExitInitializationMode, IN_INITIALIZATION, (fmi2Component c), exit_initialization(c))
+CALL(Terminate, WHILE_RUNNING, (fmi2Component c), enter_state(c, TERMINATED))
+CALL(Reset, ALWAYS_ALLOWED, (fmi2Component c), reset(c))
 
 /* ---- variables ----------------------------------------------------------------------------------------- */
 
@@ -105,13 +105,13 @@ static double read_int(const void *values, size_t i) {
     return ((const int *)values)[i];
 }
 
-CALL(GetReal, MADE_EVER, (fmi2Component c, REFERENCES, fmi2Real values[]),
+CALL(GetReal, ALWAYS_ALLOWED, (fmi2Component c, REFERENCES, fmi2Real values[]),
      get_numbers(c, VARIABLE_REAL, references, count, values, write_double))
-CALL(GetInteger, MADE_EVER, (fmi2Component c, REFERENCES, fmi2Integer values[]),
+CALL(GetInteger, ALWAYS_ALLOWED, (fmi2Component c, REFERENCES, fmi2Integer values[]),
      get_numbers(c, integers, references, count, values, write_int))
-CALL(GetBoolean, MADE_EVER, (fmi2Component c, REFERENCES, fmi2Boolean values[]),
+CALL(GetBoolean, ALWAYS_ALLOWED, (fmi2Component c, REFERENCES, fmi2Boolean values[]),
      get_numbers(c, VARIABLE_BOOLEAN, references, count, values, write_int))
-CALL(GetString, MADE_EVER, (fmi2Component c, REFERENCES, fmi2String values[]),
+CALL(GetString, ALWAYS_ALLOWED, (fmi2Component c, REFERENCES, fmi2String values[]),
      get_texts(c, references, count, values))
 CALL(SetReal, SETS_VALUES, (fmi2Component c, REFERENCES, const fmi2Real values[]),
      set_numbers(c, VARIABLE_REAL, references, count, values, read_double))
@@ -121,19 +121,19 @@ CALL(SetBoolean, SETS_VALUES, (fmi2Component c, REFERENCES, const fmi2Boolean va
      set_numbers(c, VARIABLE_BOOLEAN, references, count, values, read_int))
 CALL(SetString, SETS_VALUES, (fmi2Component c, REFERENCES, const fmi2String values[]),
      set_texts(c, references, count, values))
-CALL(GetDirectionalDerivative, MADE_EVER,
+CALL(GetDirectionalDerivative, ALWAYS_ALLOWED,
      (fmi2Component c, const fmi2ValueReference unknowns[], size_t unknown_count,
       const fmi2ValueReference knowns[], size_t known_count, const fmi2Real seeds[], fmi2Real values[]),
      directional_derivative(c, false, unknowns, unknown_count, knowns, known_count, seeds, values))
 
-CALL(GetFMUstate, MADE_EVER, (fmi2Component c, fmi2FMUstate *state), save_state(c, state))
-CALL(SetFMUstate, MADE_EVER, (fmi2Component c, fmi2FMUstate state), restore_state(c, state))
-CALL(FreeFMUstate, MADE_EVER, (fmi2Component c, fmi2FMUstate *state), free_state(state))
-CALL(SerializedFMUstateSize, MADE_EVER, (fmi2Component c, fmi2FMUstate state, size_t *size),
+CALL(GetFMUstate, ALWAYS_ALLOWED, (fmi2Component c, fmi2FMUstate *state), save_state(c, state))
+CALL(SetFMUstate, ALWAYS_ALLOWED, (fmi2Component c, fmi2FMUstate state), restore_state(c, state))
+CALL(FreeFMUstate, ALWAYS_ALLOWED, (fmi2Component c, fmi2FMUstate *state), free_state(state))
+CALL(SerializedFMUstateSize, ALWAYS_ALLOWED, (fmi2Component c, fmi2FMUstate state, size_t *size),
      measure_state(c, state, size))
-CALL(SerializeFMUstate, MADE_EVER, (fmi2Component c, fmi2FMUstate state, fmi2Byte bytes[], size_t size),
+CALL(SerializeFMUstate, ALWAYS_ALLOWED, (fmi2Component c, fmi2FMUstate state, fmi2Byte bytes[], size_t size),
      serialize_state(c, state, bytes, size))
-CALL(DeSerializeFMUstate, MADE_EVER,
+CALL(DeSerializeFMUstate, ALWAYS_ALLOWED,
      (fmi2Component c, const fmi2Byte bytes[], size_t size, fmi2FMUstate *state),
      deserialize_state(c, bytes, size, state))
 
@@ -162,8 +162,7 @@ static call_status completed_step(instance *fmu, fmi2Boolean *enter_event_mode, 
     return CALL_OK;
 }
 
-CALL(NewDiscreteStates, MADE_IN_EVENT_MODE, (fmi2Component c, fmi2EventInfo *info),
-     new_discrete_states(c, info))
+CALL(NewDiscreteStates, IN_EVENT_MODE, (fmi2Component c, fmi2EventInfo *info), new_discrete_states(c, info))
 CALL(CompletedIntegratorStep, INTEGRATES,
      (fmi2Component c, fmi2Boolean no_set_state_before, fmi2Boolean *event_mode, fmi2Boolean *terminate),
      completed_step(c, event_mode, terminate))
@@ -218,7 +217,7 @@ static call_status set_input_rates(instance *fmu, REFERENCES, const fmi2Integer 
     return status;
 }
 
-CALL(DoStep, MAKES_STEP, (fmi2Component c, fmi2Real time, fmi2Real step, fmi2Boolean no_set_state_before),
+CALL(DoStep, STEPS_FORWARD, (fmi2Component c, fmi2Real time, fmi2Real step, fmi2Boolean no_set_state_before),
      make_step(c, time, step, false))
 CALL(SetRealInputDerivatives, SETS_RATES,
      (fmi2Component c, REFERENCES, const fmi2Integer orders[], const fmi2Real values[]),
@@ -226,7 +225,7 @@ CALL(SetRealInputDerivatives, SETS_RATES,
 CALL(GetRealOutputDerivatives, FOLLOWS_STEP,
      (fmi2Component c, REFERENCES, const fmi2Integer orders[], fmi2Real values[]),
      output_derivatives(c, references, count, orders, values))
-CALL(CancelStep, MADE_EVER, (fmi2Component c),
+CALL(CancelStep, ALWAYS_ALLOWED, (fmi2Component c),
      answer(c, CALL_ERROR, "no step is under way: steps are not asynchronous"))
 
 /* Steps are not asynchronous, so only two statuses exist. */

@@ -90,7 +90,8 @@ void fmi3FreeInstance(fmi3Instance c) {
     instance_free(c);
 }
 
-CALL(SetDebugLogging, MADE_EVER, (fmi3Instance c, fmi3Boolean on, size_t count, const fmi3String names[]),
+CALL(SetDebugLogging, ALWAYS_ALLOWED,
+     (fmi3Instance c, fmi3Boolean on, size_t count, const fmi3String names[]),
      set_logging(c, on, count, names))
 
 static call_status enter_initialization(instance *fmu, bool tolerance_defined, double tolerance,
@@ -100,13 +101,13 @@ static call_status enter_initialization(instance *fmu, bool tolerance_defined, d
     return status == CALL_OK ? enter_state(fmu, INITIALIZATION_MODE) : status;
 }
 
-CALL(EnterInitializationMode, MADE_BEFORE_INITIALIZATION,
+CALL(EnterInitializationMode, BEFORE_INITIALIZATION,
      (fmi3Instance c, fmi3Boolean has_tolerance, fmi3Float64 tolerance, fmi3Float64 start,
       fmi3Boolean has_stop, fmi3Float64 stop),
      enter_initialization(c, has_tolerance, tolerance, start, has_stop, stop))
-CALL(ExitInitializationMode, MADE_IN_INITIALIZATION, (fmi3Instance c), exit_initialization(c))
-CALL(Terminate, MADE_WHILE_RUNNING, (fmi3Instance c), enter_state(c, TERMINATED))
-CALL(Reset, MADE_EVER, (fmi3Instance c), reset(c))
+CALL(ExitInitializationMode, IN_INITIALIZATION, (fmi3Instance c), exit_initialization(c))
+CALL(Terminate, WHILE_RUNNING, (fmi3Instance c), enter_state(c, TERMINATED))
+CALL(Reset, ALWAYS_ALLOWED, (fmi3Instance c), reset(c))
 
 /* ---- variables and derivatives ------------------------------------------------------------------------- */
 
@@ -131,7 +132,7 @@ static bool counts_agree(const instance *fmu, size_t references, size_t values) 
         const fmi3##Type value = ((const fmi3##Type *)values)[i];                                            \
         return (to_number);                                                                                  \
     }                                                                                                        \
-    CALL_WITH_VALUES(Get##Type, MADE_EVER,                                                                   \
+    CALL_WITH_VALUES(Get##Type, ALWAYS_ALLOWED,                                                              \
                      (fmi3Instance c, REFERENCES, fmi3##Type values[], size_t value_count),                  \
                      get_numbers(c, type, references, count, values, write_##Type))                          \
     CALL_WITH_VALUES(Set##Type, SETS_VALUES,                                                                 \
@@ -143,7 +144,8 @@ VARIABLES(Int32, VARIABLE_INTEGER, number, value)
 VARIABLES(Int64, VARIABLE_ENUMERATION, number, (double)value) /* as FMI 3.0 passes enumerations */
 VARIABLES(Boolean, VARIABLE_BOOLEAN, number != 0.0, value ? 1.0 : 0.0)
 
-CALL_WITH_VALUES(GetString, MADE_EVER, (fmi3Instance c, REFERENCES, fmi3String values[], size_t value_count),
+CALL_WITH_VALUES(GetString, ALWAYS_ALLOWED,
+                 (fmi3Instance c, REFERENCES, fmi3String values[], size_t value_count),
                  get_texts(c, references, count, values))
 CALL_WITH_VALUES(SetString, SETS_VALUES,
                  (fmi3Instance c, REFERENCES, const fmi3String values[], size_t value_count),
@@ -154,23 +156,23 @@ CALL_WITH_VALUES(SetString, SETS_VALUES,
         size_t known_count, const fmi3Float64 seeds[], size_t seed_count, fmi3Float64 values[],              \
         size_t value_count
 
-CALL(GetDirectionalDerivative, MADE_EVER, (fmi3Instance c, DIRECTION),
+CALL(GetDirectionalDerivative, ALWAYS_ALLOWED, (fmi3Instance c, DIRECTION),
      counts_agree(c, known_count, seed_count) && counts_agree(c, unknown_count, value_count)
          ? directional_derivative(c, false, unknowns, unknown_count, knowns, known_count, seeds, values)
          : CALL_ERROR)
-CALL(GetAdjointDerivative, MADE_EVER, (fmi3Instance c, DIRECTION),
+CALL(GetAdjointDerivative, ALWAYS_ALLOWED, (fmi3Instance c, DIRECTION),
      counts_agree(c, unknown_count, seed_count) && counts_agree(c, known_count, value_count)
          ? directional_derivative(c, true, unknowns, unknown_count, knowns, known_count, seeds, values)
          : CALL_ERROR)
 
-CALL(GetFMUState, MADE_EVER, (fmi3Instance c, fmi3FMUState *state), save_state(c, state))
-CALL(SetFMUState, MADE_EVER, (fmi3Instance c, fmi3FMUState state), restore_state(c, state))
-CALL(FreeFMUState, MADE_EVER, (fmi3Instance c, fmi3FMUState *state), free_state(state))
-CALL(SerializedFMUStateSize, MADE_EVER, (fmi3Instance c, fmi3FMUState state, size_t *size),
+CALL(GetFMUState, ALWAYS_ALLOWED, (fmi3Instance c, fmi3FMUState *state), save_state(c, state))
+CALL(SetFMUState, ALWAYS_ALLOWED, (fmi3Instance c, fmi3FMUState state), restore_state(c, state))
+CALL(FreeFMUState, ALWAYS_ALLOWED, (fmi3Instance c, fmi3FMUState *state), free_state(state))
+CALL(SerializedFMUStateSize, ALWAYS_ALLOWED, (fmi3Instance c, fmi3FMUState state, size_t *size),
      measure_state(c, state, size))
-CALL(SerializeFMUState, MADE_EVER, (fmi3Instance c, fmi3FMUState state, fmi3Byte bytes[], size_t size),
+CALL(SerializeFMUState, ALWAYS_ALLOWED, (fmi3Instance c, fmi3FMUState state, fmi3Byte bytes[], size_t size),
      serialize_state(c, state, bytes, size))
-CALL(DeserializeFMUState, MADE_EVER,
+CALL(DeserializeFMUState, ALWAYS_ALLOWED,
      (fmi3Instance c, const fmi3Byte bytes[], size_t size, fmi3FMUState *state),
      deserialize_state(c, bytes, size, state))
 
@@ -194,7 +196,7 @@ static call_status discrete_states(instance *fmu, fmi3Boolean *needs_update, fmi
 }
 
 CALL(EnterEventMode, ENTERS_EVENT_MODE, (fmi3Instance c), enter_event_mode(c))
-CALL(UpdateDiscreteStates, MADE_IN_EVENT_MODE,
+CALL(UpdateDiscreteStates, IN_EVENT_MODE,
      (fmi3Instance c, fmi3Boolean *needs_update, fmi3Boolean *terminate, fmi3Boolean *nominals_changed,
       fmi3Boolean *states_changed, fmi3Boolean *next_time_defined, fmi3Float64 *next_time),
      discrete_states(c, needs_update, terminate, nominals_changed, states_changed, next_time_defined,
@@ -203,7 +205,7 @@ CALL(EnterContinuousTimeMode, ENTERS_CONTINUOUS_TIME, (fmi3Instance c), enter_st
 CALL(EnterStepMode, ENTERS_STEP_MODE, (fmi3Instance c), enter_state(c, STEP_MODE))
 
 /* "If providesEvaluateDiscreteStates is true ..., else function is ignored" (FMI 3.0, section 2.3.5). */
-CALL(EvaluateDiscreteStates, MADE_IN_EVENT_MODE, (fmi3Instance c), CALL_OK)
+CALL(EvaluateDiscreteStates, IN_EVENT_MODE, (fmi3Instance c), CALL_OK)
 
 /* ---- Model Exchange ------------------------------------------------------------------------------------ */
 
@@ -240,9 +242,9 @@ static call_status get_count(const instance *fmu, size_t value, size_t *count) {
     return CALL_OK;
 }
 
-CALL(GetNumberOfEventIndicators, MADE_EVER, (fmi3Instance c, size_t *count),
+CALL(GetNumberOfEventIndicators, ALWAYS_ALLOWED, (fmi3Instance c, size_t *count),
      get_count(c, UNIT_GUARD_COUNT, count))
-CALL(GetNumberOfContinuousStates, MADE_EVER, (fmi3Instance c, size_t *count),
+CALL(GetNumberOfContinuousStates, ALWAYS_ALLOWED, (fmi3Instance c, size_t *count),
      get_count(c, UNIT_CONTINUOUS_COUNT, count))
 
 /* ---- Co-Simulation ------------------------------------------------------------------------------------- */
@@ -265,7 +267,7 @@ static call_status do_step(fmi3_instance *own, double time, double step, fmi3Boo
     return status;
 }
 
-CALL(DoStep, MAKES_STEP,
+CALL(DoStep, STEPS_FORWARD,
      (fmi3Instance c, fmi3Float64 time, fmi3Float64 step, fmi3Boolean no_set_state_before,
       fmi3Boolean *event_handling_needed, fmi3Boolean *terminate, fmi3Boolean *early_return,
       fmi3Float64 *last_successful_time),
@@ -284,9 +286,10 @@ static call_status accept_empty(const instance *fmu, bool is_asked, const char *
 
 #define NONE_OF(what) accept_empty(c, count > 0 || value_count > 0, what)
 #define NO_VARIABLES(Type)                                                                                   \
-    CALL(Get##Type, MADE_EVER, (fmi3Instance c, REFERENCES, fmi3##Type values[], size_t value_count),        \
+    CALL(Get##Type, ALWAYS_ALLOWED, (fmi3Instance c, REFERENCES, fmi3##Type values[], size_t value_count),   \
          NONE_OF("variable of type " #Type))                                                                 \
-    CALL(Set##Type, MADE_EVER, (fmi3Instance c, REFERENCES, const fmi3##Type values[], size_t value_count),  \
+    CALL(Set##Type, ALWAYS_ALLOWED,                                                                          \
+         (fmi3Instance c, REFERENCES, const fmi3##Type values[], size_t value_count),                        \
          NONE_OF("variable of type " #Type))
 
 NO_VARIABLES(Float32)
@@ -296,15 +299,15 @@ NO_VARIABLES(Int16)
 NO_VARIABLES(UInt16)
 NO_VARIABLES(UInt32)
 NO_VARIABLES(UInt64)
-CALL(GetBinary, MADE_EVER,
+CALL(GetBinary, ALWAYS_ALLOWED,
      (fmi3Instance c, REFERENCES, size_t sizes[], fmi3Binary values[], size_t value_count),
      NONE_OF("variable of type Binary"))
-CALL(SetBinary, MADE_EVER,
+CALL(SetBinary, ALWAYS_ALLOWED,
      (fmi3Instance c, REFERENCES, const size_t sizes[], const fmi3Binary values[], size_t value_count),
      NONE_OF("variable of type Binary"))
 
 #define NO_CLOCKS(name, ...)                                                                                 \
-    CALL(name, MADE_EVER, (fmi3Instance c, REFERENCES, __VA_ARGS__), accept_empty(c, count > 0, "clock"))
+    CALL(name, ALWAYS_ALLOWED, (fmi3Instance c, REFERENCES, __VA_ARGS__), accept_empty(c, count > 0, "clock"))
 
 NO_CLOCKS(GetClock, fmi3Clock values[])
 NO_CLOCKS(SetClock, const fmi3Clock values[])
@@ -317,15 +320,15 @@ NO_CLOCKS(SetIntervalDecimal, const fmi3Float64 intervals[])
 NO_CLOCKS(SetIntervalFraction, const fmi3UInt64 counters[], const fmi3UInt64 resolutions[])
 NO_CLOCKS(SetShiftDecimal, const fmi3Float64 shifts[])
 NO_CLOCKS(SetShiftFraction, const fmi3UInt64 counters[], const fmi3UInt64 resolutions[])
-CALL(ActivateModelPartition, MADE_EVER, (fmi3Instance c, fmi3ValueReference clock, fmi3Float64 time),
+CALL(ActivateModelPartition, ALWAYS_ALLOWED, (fmi3Instance c, fmi3ValueReference clock, fmi3Float64 time),
      accept_empty(c, true, "clock"))
 
-CALL(EnterConfigurationMode, MADE_EVER, (fmi3Instance c), accept_empty(c, true, "structural parameter"))
-CALL(ExitConfigurationMode, MADE_EVER, (fmi3Instance c), accept_empty(c, true, "structural parameter"))
-CALL(GetNumberOfVariableDependencies, MADE_EVER,
+CALL(EnterConfigurationMode, ALWAYS_ALLOWED, (fmi3Instance c), accept_empty(c, true, "structural parameter"))
+CALL(ExitConfigurationMode, ALWAYS_ALLOWED, (fmi3Instance c), accept_empty(c, true, "structural parameter"))
+CALL(GetNumberOfVariableDependencies, ALWAYS_ALLOWED,
      (fmi3Instance c, fmi3ValueReference reference, size_t *count),
      accept_empty(c, true, "dependencies per array element"))
-CALL(GetVariableDependencies, MADE_EVER,
+CALL(GetVariableDependencies, ALWAYS_ALLOWED,
      (fmi3Instance c, fmi3ValueReference dependent, size_t dependent_elements[],
       fmi3ValueReference independents[], size_t independent_elements[], fmi3DependencyKind kinds[],
       size_t count),

@@ -44,22 +44,22 @@ typedef enum {
 
 /* Kinds of calls, by the states of the state machine in which they are allowed: see call_begins. */
 typedef enum {
-    MADE_EVER,
-    MADE_BEFORE_INITIALIZATION,
-    MADE_IN_INITIALIZATION,
-    MADE_WHILE_RUNNING,
+    ALWAYS_ALLOWED,
+    BEFORE_INITIALIZATION,
+    IN_INITIALIZATION,
+    WHILE_RUNNING,
     SETS_VALUES,
     SETS_RATES,
     ENTERS_EVENT_MODE,
     ENTERS_EVENT_MODE_AGAIN, /* as FMI 2.0 allows it in event mode, too */
-    MADE_IN_EVENT_MODE,
+    IN_EVENT_MODE,
     ENTERS_CONTINUOUS_TIME,
     ENTERS_STEP_MODE,
     SETS_TIME,
     INTEGRATES, /* made by an importer's solver */
     EVALUATES,
     ASKS_FOR_NOMINALS,
-    MAKES_STEP,
+    STEPS_FORWARD,
     FOLLOWS_STEP,
     CALL_KIND_COUNT
 } call_kind;

@@ -280,6 +280,17 @@ FMI_TEST(follows_the_call_sequence_and_stays_as_it_was_where_that_is_broken) {
     assert_int_equal(refused, fmi == &fmi2 ? 87 : 123);
 }
 
+FMI_TEST(a_call_that_an_interface_lacks_is_refused_with_the_name_of_the_interface) {
+    step_answer step;
+    void *exchange = new_of_kind(fmi, EXCHANGE), *steps = new_of_kind(fmi, STEPS);
+    begin(fmi, exchange, EXCHANGE);
+    begin(fmi, steps, STEPS);
+    assert_int_equal(fmi->do_step(exchange, 0.0, 1.0, &step), FMI_ERROR);
+    assert_non_null(strstr(last_message, "DoStep: not allowed in Model Exchange"));
+    assert_int_equal(fmi->set_time(steps, 1.0), FMI_ERROR);
+    assert_non_null(strstr(last_message, "SetTime: not allowed in Co-Simulation without event mode"));
+}
+
 TEST(fmi2_wants_room_for_an_update) {
     void *instance = new_of_kind(&fmi2, EXCHANGE);
     initialize_unit(&fmi2, instance);
