@@ -18,7 +18,6 @@ from tdmf_slip.analysis.sweeps import gait_at, sweep
 from tdmf_slip.library.engine import FATES
 from tdmf_slip.library.events import LETTERS
 from tdmf_slip.library.return_map import stride_from
-from tdmf_slip.paper import along as paper_along
 from tdmf_slip.record import runner_in
 from tdmf_slip.variables.parameters import read_parameters
 from tdmf_slip.variables.table import FRICTION, MODELS
@@ -46,7 +45,14 @@ def runner():
 
 @pytest.fixture(scope="module")
 def swept(runner):
-    return paper_along.swept(runner, np.geomspace(10.0, 0.05, 24))
+    return sweep(runner, {FRICTION: np.geomspace(10.0, 0.05, 24)})
+
+
+@pytest.fixture(scope="module")
+def borders(swept):
+    """Frictions of the borders by the words above and below."""
+    columns = (swept.borders[name].values for name in ("before", "after", FRICTION))
+    return {(before, after): friction for before, after, friction in zip(*columns, strict=True)}
 
 
 @pytest.mark.parametrize("given", EIGENVALUES)
@@ -85,8 +91,8 @@ def test_eigenvalues_tell_how_fast_a_disturbance_dies(runner):
     assert rate == pytest.approx(abs(gait.eigenvalues[0]), rel=1e-4)
 
 
-def test_borders_do_not_depend_on_the_way_they_are_met(runner, swept):
-    found = {(b.before, b.after): b.value for b in swept.borders}
+def test_borders_do_not_depend_on_the_way_they_are_met(runner, borders):
+    found = borders
     assert found == pytest.approx(BORDERS, abs=1e-9)
     gaits, borders = sweep(runner, {FRICTION: np.linspace(0.05, 10.0, 9)})
     assert gaits["problem"].item() == "" and borders.sizes["border"] == len(found)
@@ -96,24 +102,24 @@ def test_borders_do_not_depend_on_the_way_they_are_met(runner, swept):
         assert found[after, before] == pytest.approx(value, rel=1e-9)
 
 
-def test_a_word_in_a_window_of_a_few_millionths(runner, swept):
+def test_a_word_in_a_window_of_a_few_millionths(runner, borders):
     """The foot stops so near lift-off that it cannot stick, and slips forward before it leaves."""
-    inner = [b for b in swept.borders if "+0-+" in (b.before, b.after)]
-    assert [(b.before, b.after) for b in inner] == [("+0-0+", "+0-+"), ("+0-+", "+0-")]
-    high, low = (b.value for b in inner)
+    inner = {words: friction for words, friction in borders.items() if "+0-+" in words}
+    assert list(inner) == [("+0-0+", "+0-+"), ("+0-+", "+0-")]
+    high, low = inner.values()
     assert high - low == pytest.approx(BORDERS["+0-0+", "+0-+"] - BORDERS["+0-+", "+0-"], abs=1e-9)
     around = find_gait(runner.replace({FRICTION: 0.5}))
     within = next(gaits_over(runner, FRICTION, [0.5 * (high + low)], around))
     assert within.word == "+0-+"
 
 
-def test_every_border_lies_between_its_words(runner, swept):
-    for border in swept.borders:
-        near = find_gait(runner.replace({FRICTION: border.value * (1.0 + 1e-7)}))
-        beyond = next(gaits_over(runner, FRICTION, [border.value * (1.0 - 1e-7)], near))
-        assert (near.word, beyond.word) == (border.before, border.after)
+def test_every_border_lies_between_its_words(runner, borders):
+    for words, friction in borders.items():
+        near = find_gait(runner.replace({FRICTION: friction * (1.0 + 1e-7)}))
+        beyond = next(gaits_over(runner, FRICTION, [friction * (1.0 - 1e-7)], near))
+        assert (near.word, beyond.word) == words
         within = sweep(runner, {FRICTION: [near.friction, beyond.friction]}).borders[FRICTION]
-        assert within.values == pytest.approx([border.value], rel=1e-9)
+        assert within.values == pytest.approx([friction], rel=1e-9)
 
 
 def test_a_grid_has_each_gait_with_its_units(runner):

@@ -9,7 +9,7 @@ from conftest import release, some_of
 from tdmf_slip.cli.main import commands
 from tdmf_slip.errors import RunError
 from tdmf_slip.paper import results_page
-from tdmf_slip.paper.statements.claim import DEFAULT, REGIMES, Estimate, OwnClaim, Row, between, check, solved
+from tdmf_slip.paper.statements.claim import DEFAULT, REGIMES, Estimate, OwnClaim, Row, solved
 from tdmf_slip.paper.statements.own_claims import LAST_SEED, SECTIONS, OwnClaims, Recomputed, own_claims
 from tdmf_slip.variables.parameters import preset_names
 
@@ -74,9 +74,7 @@ def compare(row, stored):
 
 
 def one_claim(measure):
-    return OwnClaim(
-        "name", "two", "tdmf-slip gait --seed {seed}", check(measure, None, between(1, 3, "default"))
-    )
+    return OwnClaim("name", "two", "tdmf-slip gait --seed {seed}", ["1 < value < 3: default"], measure)
 
 
 def test_a_claim_that_needs_a_missing_number_does_not_hold():
@@ -104,11 +102,12 @@ def test_an_estimate_shows_its_interval_or_a_bound_where_no_runner_fell():
 
 def test_a_row_is_above_its_control_where_the_intervals_are_apart():
     higher, lower, between = Estimate(3.0, 2.5, 3.5), Estimate(2.0, 1.5, 2.4), Estimate(2.4, 2.0, 2.6)
-    assert Row(higher, lower).above and Row(lower, higher).below and Row(higher, lower).ratio == 1.5
-    assert not Row(higher, between).above and not Row(between, higher).below
+    above, below = "value > control", "value < control"
+    assert Row(higher, lower).meets(above) and Row(lower, higher).meets(below)
+    assert Row(higher, lower).meets("1.4 < value / control < 1.6")
+    assert not Row(higher, between).meets(above) and not Row(between, higher).meets(below)
     for row in (Row("no gait", lower), Row(lower, "no gait"), Row(lower, None)):
-        with pytest.raises(RunError):
-            print(row.above)
+        assert not row.meets(above) and not row.meets(f"not {above}")
 
 
 @pytest.mark.parametrize("name", some_of(["feedback-matched", "attraction"], 1))

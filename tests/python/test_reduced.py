@@ -3,14 +3,13 @@
 import numpy as np
 import pytest
 from references import read
-from tdmf_slip import Batch, InputError, RunError, Runner, basin, find_gait
+from tdmf_slip import Batch, InputError, RunError, Runner, basin, find_gait, gait_at, sweep
 from tdmf_slip.analysis import attraction
 from tdmf_slip.analysis.stability import stability
 from tdmf_slip.library.binding import c, ffi
 from tdmf_slip.library.engine import FATES
 from tdmf_slip.library.return_map import stride_from
 from tdmf_slip.library.section import REDUCED
-from tdmf_slip.paper.along import swept
 
 GAITS = read("reduced_gaits.json")["gaits"]
 """Fixed points in units m = k = l0 = 1, computed independently in extended precision: values to 1e-12,
@@ -102,16 +101,15 @@ def test_the_larger_eigenvalue_is_that_of_the_full_model(clamp, larger, second):
 
 
 def test_a_sweep_has_the_borders_of_the_reduced_map():
-    found = swept(reduced(), [1.2, 0.6, 0.5, 0.4])
-    assert [gait.word for gait in found.by_value] == ["+0+", "+0-0+", "+0-0+", "+0-"]
-    for border in found.borders:
-        beside = [
-            find_gait(reduced(friction=border.value * (1 + s)), guess=found.gaits[1].apex).word
-            for s in (1e-6, -1e-6)
-        ]
-        assert beside == [border.before, border.after]
-    words = [found.borders[0].before, *(border.after for border in found.borders)]
-    assert words == ["+0+", "+0-0+", "+0-+", "+0-"]
+    gaits, borders = sweep(reduced(), {"friction": [1.2, 0.6, 0.5, 0.4]})
+    assert gaits["word"].values.tolist() == ["+0+", "+0-0+", "+0-0+", "+0-"]
+    guess = gait_at(gaits, friction=0.6).apex
+    for friction, *words in zip(
+        *(borders[name].values for name in ("ground.friction", "before", "after")), strict=True
+    ):
+        beside = [find_gait(reduced(friction=friction * (1 + s)), guess=guess).word for s in (1e-6, -1e-6)]
+        assert beside == words
+    assert [borders["before"].values[0], *borders["after"].values] == ["+0+", "+0-0+", "+0-+", "+0-"]
 
 
 def test_runners_by_the_map_end_where_strides_in_turn_lead():

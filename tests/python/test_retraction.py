@@ -5,7 +5,7 @@ import pytest
 from conftest import CLAMPED
 from tdmf_slip import Batch, Runner, find_gait
 from tdmf_slip.analysis.special_points import PERIOD_DOUBLING
-from tdmf_slip.paper.along import followed
+from tdmf_slip.paper.along import followed, met
 from tdmf_slip.paper.figures.data import leading
 
 RATE = "hip.retraction_rate"
@@ -29,17 +29,17 @@ def heights(runner, apex):
 
 
 def test_beyond_the_period_doubling_strides_alternate(branch):
-    (doubling,) = (row.value for row in branch.specials(PERIOD_DOUBLING))
-    apex = branch.gaits[0].apex
-    once = heights(branch.gaits[0].runner.replace({RATE: 0.9 * doubling}), apex)
-    twice = heights(branch.gaits[0].runner.replace({RATE: 1.2 * doubling}), apex)
+    (doubling,) = (row.value for row in branch if row.kind == PERIOD_DOUBLING)
+    gait = branch[0].gait
+    once = heights(gait.runner.replace({RATE: 0.9 * doubling}), gait.apex)
+    twice = heights(gait.runner.replace({RATE: 1.2 * doubling}), gait.apex)
     np.testing.assert_allclose(once, once[0], rtol=1e-7)
     np.testing.assert_allclose(twice[2:], twice[:2], rtol=1e-7)
     assert abs(twice[1] - twice[0]) > 0.05
 
 
 def test_leading_eigenvalues_keep_their_signs(branch):
-    greater, other = np.array([leading(gait) for gait in branch.gaits]).T
+    greater, other = np.array([leading(row.gait) for row in met(branch)]).T
     assert (greater > 0.9).all()
     assert (np.diff(other) < 0.0).all()
     assert other[-1] < -1.0 < other[0]

@@ -1,38 +1,15 @@
-"""Gaits along a parameter, one by one, for figures and statements."""
+"""Gaits along a parameter, for figures and statements."""
 
+from collections.abc import Sequence
+from itertools import pairwise
 from typing import Any, NamedTuple
 
+import numpy as np
+
 from ..analysis.branches import continue_branch
-from ..analysis.sweeps import gaits_in, sweep
+from ..analysis.sweeps import Sweep, gaits_in
 from ..library.gait import Gait
-from ..library.runner import Runner
 from ..variables.table import FRICTION
-from ..variables.variable import Values
-
-
-class Border(NamedTuple):
-    """A change of the gait word."""
-
-    value: float
-    """Friction at which it changes."""
-    before: str
-    """Word before it, in the order of the sweep."""
-    after: str
-    """Word after it."""
-
-
-class Swept(NamedTuple):
-    """Gaits over friction."""
-
-    by_value: list[Gait | None]
-    """Gait at each friction; None where there is none."""
-    borders: list[Border]
-    """Changes of the word along a branch."""
-
-    @property
-    def gaits(self) -> list[Gait]:
-        """Gaits at the frictions that have one."""
-        return [gait for gait in self.by_value if gait is not None]
 
 
 class Row(NamedTuple):
@@ -46,40 +23,28 @@ class Row(NamedTuple):
     """Gait at the value."""
 
 
-class Followed(NamedTuple):
-    """A branch of gaits."""
-
-    rows: list[Row]
-    """Gaits and special points in the branch's order."""
-
-    @property
-    def gaits(self) -> list[Gait]:
-        """Gaits that were met."""
-        return [row.gait for row in self.rows if not row.kind]
-
-    @property
-    def values(self) -> list[float]:
-        """Value of the parameter at each of the gaits."""
-        return [row.value for row in self.rows if not row.kind]
-
-    def specials(self, kind: str) -> list[Row]:
-        """Special points of a kind."""
-        return [row for row in self.rows if row.kind == kind]
-
-
-def swept(runner: Runner, frictions: Values, progress: bool = False) -> Swept:
-    """Gaits of a runner over friction, and the borders between their words."""
-    gaits, borders = sweep(runner, {FRICTION: frictions}, progress=progress)
-    found = iter(gaits_in(gaits))
-    columns = (borders[name].values.tolist() for name in (FRICTION, "before", "after"))
-    return Swept(
-        [next(found) if word else None for word in gaits["word"].values],
-        [Border(*border) for border in zip(*columns, strict=True)],
-    )
-
-
-def followed(first: Gait, name: str, begin: float, end: float, **limits: Any) -> Followed:
-    """The branch of a gait from one end of a range of a parameter to the other."""
+def followed(first: Gait, name: str, begin: float, end: float, **limits: Any) -> list[Row]:
+    """Gaits and special points of a gait's branch, from one end of a range of a parameter to the other."""
     branch = continue_branch(first, {name: (begin, end)}, switch=False, **limits)
     columns = branch[name].values.tolist(), branch["special"].values, gaits_in(branch)
-    return Followed([Row(*row) for row in zip(*columns, strict=True)])
+    return [Row(*row) for row in zip(*columns, strict=True)]
+
+
+def met(rows: Sequence[Row]) -> list[Row]:
+    """Rows of gaits that were met, without special points."""
+    return [row for row in rows if not row.kind]
+
+
+def until_it_turns(rows: list[Row]) -> list[Row]:
+    """Rows of a branch up to its greatest value, where it first turns back."""
+    turns = np.flatnonzero(np.diff([row.value for row in rows]) < 0.0)
+    return rows[: turns[0] + 1] if len(turns) else rows
+
+
+def words_over(found: Sweep) -> list[tuple[str, float, float]]:
+    """Words of a sweep over friction, and the frictions from which and to which each lasts."""
+    gaits = found.gaits.isel({FRICTION: found.gaits["word"].values != ""})
+    first, *_, last = gaits[FRICTION].values.tolist()
+    edges = [first, *found.borders[FRICTION].values.tolist(), last]
+    words = [gaits["word"].values[0], *found.borders["after"].values]
+    return [(word, *edge) for word, edge in zip(words, pairwise(edges), strict=True)]

@@ -7,17 +7,18 @@ from functools import cache, cached_property
 
 import numpy as np
 import pandas
+from numpy.typing import NDArray
 from scipy.optimize import brentq
 
 from ..analysis.search import Spread, periodic_gait, search_from_spread
 from ..analysis.stride_map import stride_map
+from ..analysis.sweeps import Sweep, sweep
 from ..library import classic_slip
 from ..library.binding import c
 from ..library.gait import Gait
 from ..library.runner import Runner
 from ..library.section import COORDINATES
 from ..variables.table import FRICTION, STATES
-from .along import Swept, swept
 from .claims import WORDS
 
 SWEPT = np.geomspace(10.0, 0.05, 200)
@@ -40,8 +41,8 @@ BRACKET = (math.radians(30.0), math.radians(33.0))
 class Evidence:
     """Computed results about the paper's runner for one reading."""
 
-    sweep: Swept
-    """Gaits at many values of friction."""
+    sweep: Sweep
+    """Gaits at many values of friction, and the borders between their words."""
     five: Sequence[Gait]
     """Gaits at the frictions of the paper's figures 5 to 8."""
     touchdown_angle: float
@@ -58,10 +59,16 @@ class Evidence:
     @cached_property
     def gaits(self) -> pandas.DataFrame:
         """Friction, word, largest eigenvalue and quantities of the stride of each gait of the sweep."""
-        return pandas.DataFrame(
-            {"friction": gait.friction, "word": gait.word, "lambda_max": gait.lambda_max, **gait.stride}
-            for gait in self.sweep.gaits
-        )
+        found = self.sweep.gaits.drop_dims("mode").to_dataframe().reset_index(names="friction")
+        return found[found["word"] != ""].reset_index(drop=True)
+
+    @property
+    def moduli(self) -> NDArray[np.float64]:
+        """Moduli of the eigenvalues of each gait of the sweep, the largest first."""
+        gaits = self.sweep.gaits
+        moduli = np.hypot(gaits["eigenvalue_real"].values, gaits["eigenvalue_imag"].values)
+        found: NDArray[np.float64] = moduli[gaits["word"].values != ""]
+        return found
 
 
 @dataclass(frozen=True, eq=False)
@@ -78,7 +85,7 @@ class ClassicEvidence:
 
 def gather(runner: Runner, progress: bool = False) -> Evidence:
     """Compute the evidence on the statements about the paper's runner."""
-    found = swept(runner, SWEPT, progress)
+    found = sweep(runner, {FRICTION: SWEPT}, progress=progress)
     five = [periodic_gait(runner.replace({FRICTION: friction})) for friction in WORDS]
     perturbed, further = _perturb(runner)
     return Evidence(

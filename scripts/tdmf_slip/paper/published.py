@@ -3,11 +3,11 @@
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from itertools import pairwise
 
 import numpy as np
 import pandas
 
+from .along import words_over
 from .claims import WORDS, Claim, Finding, both_readings
 from .evidence import LEAST_FRICTION, LEG_ANGLE, SLIP_ANGLE, ClassicEvidence, Evidence
 
@@ -139,26 +139,18 @@ def _five_words(evidence: Evidence) -> Finding:
     return Finding(", ".join(words), words == list(WORDS.values()))
 
 
-def _words(evidence: Evidence) -> list[tuple[str, float, float]]:
-    """Words with the frictions from which and to which they last, by falling friction."""
-    borders, gaits = evidence.sweep.borders, evidence.sweep.gaits
-    words = [gaits[0].word, *(border.after for border in borders)]
-    edges = [gaits[0].friction, *(border.value for border in borders), gaits[-1].friction]
-    return [(word, *edge) for word, edge in zip(words, pairwise(edges), strict=True)]
-
-
 def _word_sequence(evidence: Evidence) -> Finding:
-    words = [word for word, high, low in _words(evidence) if high > NARROW * low]
+    words = [word for word, high, low in words_over(evidence.sweep) if high > NARROW * low]
     return Finding(", ".join(words), words == list(WORDS.values()))
 
 
 def _cut_range(evidence: Evidence) -> Finding:
-    word, high, low = next(one for one in _words(evidence) if one[2] < 7.0)
+    word, high, low = next(one for one in words_over(evidence.sweep) if one[2] < 7.0)
     return Finding(f"{word} from {high:.2f} to {low:.2f}", word == "+0+" and high > 7.0 and low < 2.0)
 
 
 def _sixth_word(evidence: Evidence) -> Finding:
-    narrow = [one for one in _words(evidence) if one[1] <= NARROW * one[2]]
+    narrow = [one for one in words_over(evidence.sweep) if one[1] <= NARROW * one[2]]
     text = ", ".join(f"{word} from {high:.6f} to {low:.6f}" for word, high, low in narrow)
     return Finding(text or "none", not narrow)
 
@@ -178,8 +170,8 @@ def _degrades(evidence: Evidence) -> Finding:
 
 
 def _low_eigenvalues(evidence: Evidence) -> Finding:
-    gait = evidence.sweep.gaits[-1]
-    return Finding(f"{gait.lambda_max:.4f} at mu = {gait.friction:g}", False)
+    gait = evidence.gaits.iloc[-1]
+    return Finding(f"{gait['lambda_max']:.4f} at mu = {gait['friction']:g}", False)
 
 
 def _low_gaits(evidence: Evidence) -> Finding:
@@ -194,7 +186,7 @@ def _second_impacts(evidence: Evidence) -> Finding:
 
 
 def _tiny_eigenvalues(evidence: Evidence) -> Finding:
-    sizes = np.array([np.sort(np.abs(gait.eigenvalues)) for gait in evidence.sweep.gaits])
+    sizes = np.sort(evidence.moduli, axis=1)
     counts = np.sum(sizes < TINY, axis=1)
     few, many = int(counts.min()), int(counts.max())
     number = f"{few}" if few == many else f"{few} or {many}"

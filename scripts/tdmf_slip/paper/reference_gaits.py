@@ -5,6 +5,7 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
+from itertools import pairwise
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -12,6 +13,7 @@ from typing import Any
 from ..library.gait import REPORTED
 from ..library.runner import Runner
 from ..library.section import COORDINATES
+from .along import words_over
 from .claims import CLAMP, FREE
 from .evidence import ClassicEvidence, Evidence
 from .settling import SettledRun
@@ -84,13 +86,14 @@ def drifts(run: SettledRun, reference: SimpleNamespace) -> list[Drift]:
 
 def sweep_drifts(reading: str, evidence: Evidence) -> list[Drift]:
     """Borders between words, and the largest eigenvalue at friction 10, beside the recorded ones."""
-    found = {(border.before, border.after): border.value for border in evidence.sweep.borders}
+    words = words_over(evidence.sweep)
+    found = {(before, after): friction for (before, *_), (after, friction, _) in pairwise(words)}
     rows = [
         (f"border {before} to {after}", found.get((before, after), math.nan), friction, BORDER_TOLERANCE)
         for of, before, after, friction in (row.values() for row in recorded()["borders"])
         if of == reading
     ]
-    largest = evidence.sweep.gaits[0].lambda_max, recorded()["lambda_max_at_friction_10"][reading]
+    largest = evidence.gaits["lambda_max"][0], recorded()["lambda_max_at_friction_10"][reading]
     rows.append(("lambda_max at mu = 10", *largest, EIGENVALUE_TOLERANCE))
     return [_drift(*row, reading) for row in rows]
 

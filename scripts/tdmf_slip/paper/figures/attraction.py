@@ -28,7 +28,7 @@ DISTURBANCES = {
 
 def table(results: Results) -> pandas.DataFrame:
     """Data of the figure; inf is a disturbance beyond the largest tried. Takes minutes."""
-    found = results.gaits.gaits
+    found = results.gaits
     chosen = [found[i] for i in np.linspace(0, len(found) - 1, MEASURED).round().astype(int)]
     return judged([*chosen, *results.equal[:: len(results.equal) // MEASURED_EQUAL]], len(chosen))
 
@@ -61,20 +61,20 @@ def shares(rows: Sequence[Judgement]) -> pandas.DataFrame:
 
 def draw(results: Results) -> Figure:
     """Draw the share of starts that settle, the largest eigenvalue, and the largest disturbances."""
-    both, sweep = results.table("attraction"), results.gaits
+    both = results.table("attraction")
     data, equal = both[both["matched"] == 0], both[both["matched"] == 1]
     figure, axes = style.subplots(3, 1, figsize=(7.6, 7.6), sharex=True)
     _draw_share(axes[0], data)
     axes[0].plot(equal["friction"], equal["attracted_share"], **CONTROL)
     figure.legend(*axes[0].get_legend_handles_labels(), loc="outside lower center", ncols=2)
     axes[1].plot(equal["friction"], equal["lambda_max"], **CONTROL)
-    along = table_of(sweep.gaits, "friction", "lambda_max")
+    along = table_of(results.gaits, "friction", "lambda_max")
     axes[1].plot(along["friction"], along["lambda_max"], color=style.CURVE)
     axes[1].set_title(r"(b) largest eigenvalue $\lambda_{max}$")
     _draw_disturbances(axes[2], data)
     for name, (_, colour) in DISTURBANCES.items():
         axes[2].plot(equal["friction"], equal[name].clip(upper=FARTHEST), "--", linewidth=1.0, color=colour)
-    mark_words(axes, sweep)
+    mark_words(axes, results.sweep)
     friction_axis(axes[-1], along["friction"])
     return figure
 

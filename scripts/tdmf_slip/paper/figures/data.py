@@ -13,12 +13,12 @@ import numpy as np
 import pandas
 
 from ...analysis.search import periodic_gait
+from ...analysis.sweeps import Sweep, gaits_in, sweep
 from ...library.gait import Gait
 from ...library.runner import Runner
 from ...pictures.panels import Stride
 from ...variables.parameters import read_parameters
 from ...variables.table import FRICTION
-from ..along import Swept, swept
 from ..evidence import SWEPT
 from ..matched import over_friction
 
@@ -50,14 +50,19 @@ class Results:
         return periodic_gait(self.runner.replace({FRICTION: friction, **(values or {})}))
 
     @cached_property
-    def gaits(self) -> Swept:
-        """Gaits over friction."""
-        return swept(self.runner, SWEPT)
+    def sweep(self) -> Sweep:
+        """Gaits over friction, and the borders between their words."""
+        return sweep(self.runner, {FRICTION: SWEPT})
+
+    @cached_property
+    def gaits(self) -> list[Gait]:
+        """Gaits over friction, by falling friction."""
+        return gaits_in(self.sweep.gaits)
 
     @cached_property
     def equal(self) -> list[Gait]:
         """Gaits over friction, matched to the first one."""
-        return over_friction(self.gaits.gaits, EQUAL)
+        return over_friction(self.gaits, EQUAL)
 
     def once(self, compute: Callable[["Results"], Found]) -> Found:
         """The result of a function of this object, which is called once."""

@@ -26,7 +26,7 @@ TITLES = (
 
 def table(results: Results) -> pandas.DataFrame:
     """Energies per weight and stride length. `matched` is 1 for runners matched to the first gait."""
-    own, equal = results.gaits.gaits, results.equal
+    own, equal = results.gaits, results.equal
     losses = {name: partial(_per_distance, name) for name in SHARES}
     found = table_of([*own, *equal], "friction", "word", "cost_of_transport", **losses)
     found.insert(0, "matched", [0] * len(own) + [1] * len(equal))
@@ -45,7 +45,7 @@ def draw(results: Results) -> Figure:
     for number, (axes, title) in enumerate(zip(panels, TITLES, strict=True)):
         _draw_shares(axes, data[data["matched"] == number])
         axes.set_title(title, pad=18 if axes is panels[0] else None)
-    mark_words(panels[:1], results.gaits)
+    mark_words(panels[:1], results.sweep)
     friction_axis(panels[1], data["friction"])
     panels[0].set_ylim(0.0, 1.2 * data["cost_of_transport"].max())
     figure.legend(*panels[0].get_legend_handles_labels(), loc="outside lower center", ncols=4)

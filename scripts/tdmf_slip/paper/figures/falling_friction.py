@@ -53,7 +53,7 @@ def level(runner: Runner, ratio: float) -> list[Row]:
     rows: list[Row] = []
     for begin, end in pairwise(DECADES):
         its = runner_of(runner, LEVEL, ratio, begin)
-        rows += followed(periodic_gait(its), VELOCITY, begin, end).rows
+        rows += followed(periodic_gait(its), VELOCITY, begin, end)
     return rows
 
 
@@ -64,7 +64,7 @@ def downhill(runner: Runner, ratio: float) -> list[Row]:
     if ratio != RATIOS[DOWNHILL][0]:
         first = next(gaits_over(its, RATIO, [ratio], first))
     low, high = RANGE
-    return followed(first, VELOCITY, high, low, max_points=POINTS).rows
+    return followed(first, VELOCITY, high, low, max_points=POINTS)
 
 
 def table(results: Results) -> pandas.DataFrame:

@@ -28,7 +28,7 @@ PANELS = (
 
 def table(results: Results) -> pandas.DataFrame:
     """Data of the figure. `matched` is 1 for runners matched to the first gait."""
-    own, equal = results.gaits.gaits, results.equal
+    own, equal = results.gaits, results.equal
     found = table_of([*own, *equal], "friction", "word", "lambda_max", "speed", "cost_of_transport")
     found.insert(0, "matched", [0] * len(own) + [1] * len(equal))
     return found
@@ -47,7 +47,7 @@ def draw(results: Results) -> Figure:
     for panel, name, gain in ((axes[1], "speed", SPEED_GAIN), (axes[2], "cost_of_transport", COST_GAIN)):
         without = data[name][data["friction"].idxmax()]
         (mark,) = panel.plot(BEST_FRICTION, (1.0 + gain / 100.0) * without, **style.PUBLISHED)
-    mark_words(axes, results.gaits)
+    mark_words(axes, results.sweep)
     missing = Patch(color=TINT, label="range that the paper's figure leaves out")
     figure.legend(handles=[control, mark, missing], loc="outside lower center", ncols=2)
     friction_axis(axes[-1], data["friction"])

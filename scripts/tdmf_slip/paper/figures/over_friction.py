@@ -6,10 +6,12 @@ import numpy as np
 import pandas
 from matplotlib.axes import Axes
 
+from ...analysis.sweeps import Sweep
 from ...pictures import style
 from ...pictures.style import CurveLabel
+from ...variables.table import FRICTION
 from ...variables.variable import Values
-from ..along import Swept
+from ..along import words_over
 
 CONTROL = {
     "color": "#7a5195",
@@ -25,18 +27,15 @@ NARROW = 1.02
 TICKS = (0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0)
 
 
-def mark_words(panels: Any, sweep: Swept) -> None:
+def mark_words(panels: Any, sweep: Sweep) -> None:
     """Draw the borders between words in all panels, and write the words above the first one.
 
     The word of a narrow range stands inside the first panel.
     """
     for axes in panels:
-        for border in sweep.borders:
-            axes.axvline(border.value, **style.STANCE_LINE)
-    frictions = sorted(gait.friction for gait in (sweep.gaits[0], sweep.gaits[-1]))
-    edges = [frictions[-1], *(border.value for border in sweep.borders), frictions[0]]
-    words = [sweep.gaits[0].word, *(border.after for border in sweep.borders)]
-    for word, high, low in zip(words, edges, edges[1:], strict=False):
+        for border in sweep.borders[FRICTION].values:
+            axes.axvline(border, **style.STANCE_LINE)
+    for word, high, low in words_over(sweep):
         centre = (high * low) ** 0.5
         where: Any = {"xycoords": ("data", "axes fraction"), "fontsize": 9}
         if high > NARROW * low:

@@ -15,11 +15,11 @@ from numpy.typing import NDArray
 
 from ...analysis.basin import basin
 from ...analysis.stability import stability
+from ...analysis.sweeps import sweep
 from ...library.runner import Runner
 from ...library.section import REDUCED
 from ...pictures import basin_map, style
 from ...variables.table import FRICTION
-from ..along import swept
 from ..evidence import SWEPT
 from .data import Results
 from .over_friction import TICKS, friction_axis, mark_words
@@ -72,13 +72,12 @@ def draw_regions(results: Results) -> Figure:
 
 def eigenvalue_table(results: Results) -> pandas.DataFrame:
     """The two largest eigenvalues of both models by friction."""
-    reduced = swept(Runner(results.runner, model="reduced"), SWEPT)
-    columns: dict[str, Any] = {"friction": [gait.friction for gait in results.gaits.gaits]}
-    for name, sweep in {"full": results.gaits, "reduced": reduced}.items():
-        columns[f"word_{name}"] = [gait.word for gait in sweep.gaits]
+    reduced = sweep(Runner(results.runner, model="reduced"), {FRICTION: SWEPT}).gaits
+    columns: dict[str, Any] = {"friction": SWEPT}
+    for name, gaits in {"full": results.sweep.gaits, "reduced": reduced}.items():
+        columns[f"word_{name}"] = gaits["word"].values
         for number in (1, 2):
-            values = [float(gait.eigenvalues[number - 1].real) for gait in sweep.gaits]
-            columns[f"eigenvalue_{number}_{name}"] = values
+            columns[f"eigenvalue_{number}_{name}"] = gaits["eigenvalue_real"].values[:, number - 1]
     return pandas.DataFrame(columns)
 
 
@@ -100,7 +99,7 @@ def draw_eigenvalues(results: Results) -> Figure:
         axes[2].semilogy(friction, np.abs(reduced - full), color=colour, label=label)
     axes[2].set_title("(c) absolute difference between the two models")
     axes[2].legend(loc="center right")
-    mark_words(axes, results.gaits)
+    mark_words(axes, results.sweep)
     friction_axis(axes[-1], data["friction"])
     return figure
 

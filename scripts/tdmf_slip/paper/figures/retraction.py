@@ -37,7 +37,7 @@ MARKS: Mapping[str, tuple[str, float]] = {FOLD: ("o", 1.0), PERIOD_DOUBLING: ("s
 def along(first: Gait) -> list[Row]:
     """Gaits and special points of the branch from its fold to the largest rate."""
     back, forth = (
-        followed(first, RATE, first.runner[RATE], end, max_step=LARGEST_STEP, max_points=POINTS).rows
+        followed(first, RATE, first.runner[RATE], end, max_step=LARGEST_STEP, max_points=POINTS)
         for end in (2.0 * SHOWN[0], SHOWN[1])
     )
     return [*back[:0:-1], *forth]

@@ -8,12 +8,11 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from ...analysis.search import periodic_gait
-from ...analysis.special_points import FOLD
 from ...library.gait import Gait
 from ...library.runner import Runner
 from ...pictures import style
 from ...variables.table import FRICTION
-from ..along import Followed, followed
+from ..along import followed, met, until_it_turns
 from ..matched import gait_with, match_gait
 from .data import LEADING, Results, table_of
 
@@ -47,8 +46,9 @@ def own(runner: Runner) -> Gaits:
             followed(first, SLOPE, first.runner[SLOPE], end, max_step=LARGEST_STEP, max_points=POINTS)
             for end in (LOWEST, HIGHEST)
         )
-        below = tuple(zip(down.values, down.gaits, strict=True))[:0:-1]
-        found[friction] = below + _to_the_top(up)
+        climb = until_it_turns(up)
+        rows = *met(down)[:0:-1], *met(climb[:-1]), climb[-1]
+        found[friction] = tuple((row.value, row.gait) for row in rows)
     return found
 
 
@@ -71,16 +71,6 @@ def _stepped(gait: Gait, step: float) -> Iterator[tuple[float, Gait]]:
         yield slope, one
         slope += step
         one = gait_with(one, {SLOPE: slope})
-
-
-def _to_the_top(branch: Followed) -> tuple[tuple[float, Gait], ...]:
-    """Part of a branch up to its first fold."""
-    top = next(iter(branch.specials(FOLD)), None)
-    last = int(np.argmax(np.diff(branch.values) < 0.0))
-    climb = tuple(zip(branch.values, branch.gaits, strict=True))
-    if top is None:
-        return climb
-    return (*climb[:last], (top.value, top.gait))  # the last before the turn may be beyond the fold
 
 
 def table(results: Results) -> pandas.DataFrame:

@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 
 from ...library.gait import Gait
 from ...pictures import style
-from ..along import Followed, followed
+from ..along import followed, met
 from ..matched import gait_with, match_gait
 from .data import LEADING, Results, table_of
 
@@ -41,7 +41,7 @@ def table(results: Results) -> pandas.DataFrame:
         first = results.gait(friction)
         hip = _branch(first, TORQUE, HIGHEST_TORQUE, 0.0)
         added = _branch(first, THRUST, HIGHEST_THRUST)
-        gaits += (*hip.gaits, *added.gaits[1:], *_leg_alone(first), *matched(hip.gaits))
+        gaits += (*hip, *added[1:], *_leg_alone(first), *matched(hip))
     settings = table_of(
         gaits,
         "friction",
@@ -70,16 +70,17 @@ def matched(by_hip: Sequence[Gait]) -> Iterator[Gait]:
 
 
 def _leg_alone(first: Gait) -> Iterator[Gait]:
-    driven = _branch(first, THRUST, WITHOUT_TORQUE).gaits[-1]
-    freed = _branch(driven, TORQUE, 0.0)
-    if freed.values[-1] == 0.0:
-        yield from _branch(freed.gaits[-1], THRUST, HIGHEST_THRUST, 0.0).gaits
+    *_, driven = _branch(first, THRUST, WITHOUT_TORQUE)
+    *_, freed = _branch(driven, TORQUE, 0.0)
+    if freed.runner[TORQUE] == 0.0:
+        yield from _branch(freed, THRUST, HIGHEST_THRUST, 0.0)
 
 
-def _branch(first: Gait, name: str, end: float, begin: float | None = None) -> Followed:
-    """Branch of gaits from the first one's value, or from another one, to an end."""
+def _branch(first: Gait, name: str, end: float, begin: float | None = None) -> list[Gait]:
+    """Gaits of a branch from the first one's value, or from another one, to an end."""
     begin = first.runner[name] if begin is None else begin
-    return followed(first, name, begin, end, max_step=LARGEST_STEP, max_points=POINTS)
+    rows = followed(first, name, begin, end, max_step=LARGEST_STEP, max_points=POINTS)
+    return [row.gait for row in met(rows)]
 
 
 def actuated(data: pandas.DataFrame) -> dict[str, Any]:

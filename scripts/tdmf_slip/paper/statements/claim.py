@@ -1,4 +1,4 @@
-"""A claim of this project: what is measured, its control, and the relation that must hold between them."""
+"""A claim of this project: what is measured, its control, and the relations that must hold between them."""
 
 import math
 from collections.abc import Callable, Mapping, Sequence
@@ -43,11 +43,6 @@ CLAMPED = Regime("clamp", "Table 1, with the clamp", {CLAMP: True})
 HEAVY = Regime("heavy", "weight 0.022, 45°", {"gravity": 0.02, ANGLE: "45 deg"})
 HUMAN = Regime("human", "human size", read_parameters("human"), 0.03)
 REGIMES = (DEFAULT, CLAMPED, HEAVY, HUMAN)
-TABLE_1 = (DEFAULT.name, CLAMPED.name)
-"""Names of the regimes of Table 1, one for each reading of the swing law."""
-ALL_BUT_HUMAN = (*TABLE_1, HEAVY.name)
-INFINITE = math.inf
-ALL = tuple(regime.name for regime in REGIMES)
 
 
 @dataclass(frozen=True)
@@ -71,6 +66,18 @@ class Estimate:
         """Mean number of strides until the fall."""
         return cls(passage.mean_strides, *passage.interval)
 
+    def __lt__(self, other: "Estimate | float") -> bool:
+        """True if the interval lies below that of another estimate, or the value below a number."""
+        return self.high < other.low if isinstance(other, Estimate) else self.value < other
+
+    def __gt__(self, other: "Estimate | float") -> bool:
+        """True if the interval lies above that of another estimate, or the value above a number."""
+        return self.low > other.high if isinstance(other, Estimate) else self.value > other
+
+    def __truediv__(self, other: "Estimate") -> float:
+        """The ratio of two values."""
+        return self.value / other.value
+
     def __str__(self) -> str:
         """The number, with its interval if it has one; only the lower bound where no runner fell."""
         if math.isinf(self.low):
@@ -92,11 +99,13 @@ Cell = Estimate | str
 """A number, or the reason why there is none: "no gait", "no matched runner"."""
 Measure = Callable[[Regime, int], Estimate]
 """Computes a number from regime and seed. If there is none, the message of its RunError becomes the cell."""
+Measures = dict[str, tuple[Measure, Measure | None]]
+"""How value and control of claims are computed, by the claims' names; without control, None."""
 
 
 @dataclass(frozen=True)
 class Row:
-    """Value and control of one regime. Comparisons raise RunError where there is no number."""
+    """Value and control of one regime."""
 
     value: Cell
     """Quantity of the runner that the claim is about."""
@@ -107,89 +116,22 @@ class Row:
         """Value and control."""
         return str(self.value) if self.control is None else f"{self.value} / {self.control}"
 
-    @property
-    def number(self) -> float:
-        """The value without its interval."""
-        return _number(self.value).value
-
-    @property
-    def above(self) -> bool:
-        """True if the interval of the value lies above that of the control."""
-        return _number(self.value).low > _number(self.control).high
-
-    @property
-    def below(self) -> bool:
-        """True if the interval of the value lies below that of the control."""
-        return _number(self.value).high < _number(self.control).low
-
-    @property
-    def ratio(self) -> float:
-        """Value over control."""
-        return self.number / _number(self.control).value
-
-
-def _number(cell: Cell | None) -> Estimate:
-    if not isinstance(cell, Estimate):
-        raise RunError(cell or "no control")
-    return cell
+    def meets(self, relation: str) -> bool:
+        """True if a relation such as `value < control` is met; false if it lacks a number."""
+        numbers = {name: cell for name, cell in vars(self).items() if isinstance(cell, Estimate)}
+        try:
+            return bool(eval(relation, {}, numbers))
+        except NameError:
+            return False
 
 
 Rows = Mapping[str, Row]
 """Rows by the name of their regime."""
-Condition = Callable[[Rows], bool]
-"""Decides from the rows of a claim whether a part of it is true."""
-
-
-def above(*names: str) -> Condition:
-    """The value's interval lies above that of the control in these regimes."""
-    return lambda rows: all(rows[name].above for name in names)
-
-
-def below(*names: str) -> Condition:
-    """The value's interval lies below that of the control in these regimes."""
-    return lambda rows: all(rows[name].below for name in names)
-
-
-def none_above(*names: str) -> Condition:
-    """The value's interval lies above that of the control in none of these regimes."""
-    return lambda rows: not any(rows[name].above for name in names)
-
-
-def none_below(*names: str) -> Condition:
-    """The value's interval lies below that of the control in none of these regimes."""
-    return lambda rows: not any(rows[name].below for name in names)
-
-
-def between(low: float, high: float, *names: str) -> Condition:
-    """The value lies between two bounds in these regimes."""
-    return lambda rows: all(low < rows[name].number < high for name in names)
-
-
-def ratio(low: float, high: float, *names: str) -> Condition:
-    """The value over the control lies between two bounds in these regimes."""
-    return lambda rows: all(low < rows[name].ratio < high for name in names)
-
-
-@dataclass(frozen=True)
-class Check:
-    """Computations and conditions of a claim."""
-
-    measure: Measure
-    """Computes the value for a regime and a seed."""
-    control: Measure | None
-    """Computes the same quantity of the control; None if the claim compares nothing."""
-    conditions: tuple[Condition, ...]
-    """Conditions that the rows must all meet."""
-
-
-def check(measure: Measure, control: Measure | None, *conditions: Condition) -> Check:
-    """A check with its conditions."""
-    return Check(measure, control, conditions)
 
 
 @dataclass(frozen=True)
 class OwnClaim:
-    """A claim of this project, with its check."""
+    """A claim of this project: its words, how it is computed, and when it holds."""
 
     name: str
     """Anchor of the claim on the page of results."""
@@ -197,13 +139,21 @@ class OwnClaim:
     """The claim in words, with units; it says which signs differ between the readings."""
     command: str
     """Command that recomputes the value for Table 1, or the first part of the value."""
-    check: Check
-    """Computes and judges the claim."""
+    relations: Sequence[str]
+    """Relations that must hold, each with the names of its regimes: `value < control: default clamp`."""
+    measure: Measure
+    """Computes the value for a regime and a seed."""
+    control: Measure | None = None
+    """Computes the same quantity of the control; None if the claim compares nothing."""
 
     def row(self, regime: Regime, seed: int) -> Row:
         """Compute value and control."""
-        value, control = self.check.measure, self.check.control
-        return Row(_cell(value, regime, seed), control and _cell(control, regime, seed))
+        return Row(_cell(self.measure, regime, seed), self.control and _cell(self.control, regime, seed))
+
+    def holds(self, rows: Rows) -> bool:
+        """True if all relations are met."""
+        relations = (text.split(": ") for text in self.relations)
+        return all(rows[name].meets(relation) for relation, names in relations for name in names.split())
 
 
 def _cell(measure: Measure, regime: Regime, seed: int) -> Cell:

@@ -6,47 +6,36 @@ from functools import cache
 
 import numpy as np
 
+from ...analysis.special_points import FOLD, NEIMARK_SACKER, PERIOD_DOUBLING
+from ...analysis.sweeps import Sweep, gait_at, sweep
 from ...analysis.targeted import find_gait
 from ...errors import GaitNotFoundError, RunError
-from ...library.fixed_point import gait_near
 from ...library.gait import Gait
 from ...library.runner import Runner
 from ...optimization.optimize import optimize
 from ...optimization.optimum import Optimum
 from ...variables.table import FRICTION
-from .. import along
-from ..along import Swept
+from ..along import Row, followed, until_it_turns
 from .claim import (
-    ALL,
-    ALL_BUT_HUMAN,
     ANGLE,
     CLAMPED,
     DEFAULT,
     HEAVY,
     HUMAN,
-    INFINITE,
     SLIPS,
     STICKS,
-    TABLE_1,
     THRUST,
     TORQUE,
-    Check,
-    Condition,
-    Estimate,
     Measure,
+    Measures,
     Regime,
-    above,
-    below,
-    between,
     cached_with_errors,
     changed_to,
-    check,
     equal_to,
     gait,
     made_equal,
     matched,
     over_length,
-    ratio,
     solved,
     stride_quantity,
 )
@@ -62,20 +51,19 @@ NEAR_OPTIMUM, LOW = 0.5, 0.25
 
 
 @cache
-def swept(regime: Regime, model: str = "full") -> Swept:
+def swept(regime: Regime, model: str = "full") -> Sweep:
     """Gaits at all frictions, from the greatest on."""
-    return along.swept(Runner(regime.values, model=model), FRICTIONS)
+    return sweep(Runner(regime.values, model=model), {FRICTION: FRICTIONS})
 
 
 @cache
 def fastest(regime: Regime) -> Gait:
     """The fastest of all gaits."""
-    found = swept(regime).gaits
-    number = int(np.argmax([one.stride["speed"] for one in found]))
-    ends = found[max(number - 1, 0)].friction, found[min(number + 1, len(found) - 1)].friction
-    near = along.swept(Runner(regime.values), np.geomspace(*ends, REFINED)).gaits
-    best: Gait = max(near, key=lambda one: one.stride["speed"])
-    return best
+    speeds = swept(regime).gaits["speed"].to_series().dropna()
+    number = int(np.argmax(speeds))
+    begin, end = speeds.index[[max(number - 1, 0), min(number + 1, len(speeds) - 1)]]
+    near = sweep(Runner(regime.values), {FRICTION: np.geomspace(begin, end, REFINED)}).gaits
+    return gait_at(near, **{FRICTION: near["speed"].to_series().idxmax()})
 
 
 def _over_sticking(quantity: str, of: Callable[[Regime], Gait]) -> Measure:
@@ -87,15 +75,17 @@ def _over_sticking(quantity: str, of: Callable[[Regime], Gait]) -> Measure:
     return solved(change)
 
 
-def _cost_check(cost: str, friction: float, *conditions: Condition) -> Check:
-    """Change of a cost on a friction, unmatched, and matched to the runner on friction 10."""
-    value = _over_sticking(cost, lambda regime: gait(regime, friction))
-    return check(value, _over_sticking(cost, lambda regime: matched(regime, STICKS, friction)), *conditions)
+def _changes(cost: str, friction: float) -> tuple[Measure, Measure]:
+    """Changes of a cost on a friction, unmatched, and matched to the runner on friction 10."""
+    return (
+        _over_sticking(cost, lambda regime: gait(regime, friction)),
+        _over_sticking(cost, lambda regime: matched(regime, STICKS, friction)),
+    )
 
 
 def _drop(regime: Regime) -> float:
     """Largest drop of the spectral radius below its value at a greater friction."""
-    radii = np.array([one.lambda_max for one in swept(regime).gaits])
+    radii = swept(regime).gaits["lambda_max"].to_series().dropna().to_numpy()
     return round(float(np.max(np.maximum.accumulate(radii) - radii)), 6)
 
 
@@ -110,56 +100,16 @@ def _at_40_degrees(friction: float) -> Measure:
     return solved(radius)
 
 
-OVER_FRICTION_CHECKS = {
-    "fastest-friction": check(
-        solved(lambda regime: fastest(regime).friction),
-        None,
-        between(0.445, 0.5, *ALL_BUT_HUMAN),
-        between(0.85, INFINITE, "human"),
-    ),
-    "fastest-gain": check(
-        _over_sticking("speed", fastest),
-        None,
-        between(10.0, 13.0, *ALL_BUT_HUMAN),
-        lambda rows: 0.0 <= rows["human"].number < 0.1,
-    ),
-    "net-cost": _cost_check(
-        NET,
-        NEAR_OPTIMUM,
-        between(-INFINITE, -15.0, *ALL_BUT_HUMAN),
-        ratio(0.0, 1.0, *ALL_BUT_HUMAN),
-        between(0.0, INFINITE, "human"),
-        ratio(-INFINITE, 0.0, "human"),
-    ),
-    "positive-cost": _cost_check(
-        POSITIVE, NEAR_OPTIMUM, between(-INFINITE, 0.0, *ALL), ratio(0.0, INFINITE, *ALL)
-    ),
-    "net-cost-slippery": _cost_check(
-        NET,
-        LOW,
-        between(-INFINITE, 0.0, *ALL_BUT_HUMAN),
-        ratio(0.0, 30.0, *ALL_BUT_HUMAN),
-        between(0.0, INFINITE, "human"),
-        ratio(-INFINITE, 0.0, "human"),
-    ),
-    "positive-cost-slippery": _cost_check(
-        POSITIVE,
-        LOW,
-        between(-INFINITE, 0.0, "default", "human"),
-        between(0.0, INFINITE, "clamp"),
-        ratio(-INFINITE, 0.0, "default"),
-        ratio(0.0, INFINITE, "clamp", "human"),
-    ),
-    "eigenvalues-rise": check(
-        solved(_drop),
-        None,
-        between(-INFINITE, 0.001, *TABLE_1),
-        between(0.01, INFINITE, "heavy", "human"),
-    ),
-    "heavy-sticks": check(_at_40_degrees(STICKS), None, between(1.0, INFINITE, *TABLE_1)),
-    "heavy-slips": check(
-        _at_40_degrees(0.3), None, between(-INFINITE, 1.0, "clamp"), between(1.0, INFINITE, "default")
-    ),
+OVER_FRICTION: Measures = {
+    "fastest-friction": (solved(lambda regime: fastest(regime).friction), None),
+    "fastest-gain": (_over_sticking("speed", fastest), None),
+    "net-cost": _changes(NET, NEAR_OPTIMUM),
+    "positive-cost": _changes(POSITIVE, NEAR_OPTIMUM),
+    "net-cost-slippery": _changes(NET, LOW),
+    "positive-cost-slippery": _changes(POSITIVE, LOW),
+    "eigenvalues-rise": (solved(_drop), None),
+    "heavy-sticks": (_at_40_degrees(STICKS), None),
+    "heavy-slips": (_at_40_degrees(0.3), None),
 }
 
 
@@ -189,32 +139,22 @@ def _equal_to_falling(regime: Regime) -> Gait:
     return equal_to(_falling(regime), _static(regime))
 
 
-FALLING_CHECKS = {
-    "falling-speed": check(
-        stride_quantity(_falling, "speed"),
-        stride_quantity(_static, "speed"),
-        above(*ALL_BUT_HUMAN),
-        below("human"),
+FALLING: Measures = {
+    "falling-speed": (stride_quantity(_falling, "speed"), stride_quantity(_static, "speed")),
+    "falling-cost": (stride_quantity(_falling, NET), stride_quantity(_equal_to_falling, NET)),
+    "falling-positive-cost": (
+        stride_quantity(_falling, POSITIVE),
+        stride_quantity(_equal_to_falling, POSITIVE),
     ),
-    **{
-        name: check(
-            stride_quantity(_falling, quantity), stride_quantity(_equal_to_falling, quantity), below(*ALL)
-        )
-        for name, quantity in (
-            ("falling-cost", NET),
-            ("falling-positive-cost", POSITIVE),
-        )
-    },
 }
 
 
 # Slopes: the speed uphill, the steepest slope with a gait, and the steepest on which it is stable
 
 SLOPE = "ground.slope"
-FIRST, SHORTEST = 0.005, 1e-5
-"""First step of the slope along a branch, and the step at which its fold counts as reached, rad."""
-AWAY = 0.1
-"""Distance from its prediction, over the scales, beyond which a gait belongs to another branch."""
+HIGHEST, LARGEST_STEP = math.radians(30.0), 0.03
+"""Slope up to which branches are followed, rad, and their largest step over the scales."""
+BIFURCATIONS = (FOLD, PERIOD_DOUBLING, NEIMARK_SACKER)
 FLAT = 0.85
 """Touchdown angle that lays the leg flatter than the paper's 40 degrees, rad."""
 UPHILL = math.radians(1.5)
@@ -229,52 +169,33 @@ def _level(regime: Regime, friction: float, reference: float | None, angle: floa
 
 
 @cached_with_errors
-def climb(regime: Regime, friction: float, reference: float | None, angle: float | None) -> tuple[Gait, ...]:
-    """Gaits up to the fold at which the branch from level ground turns back."""
-    found, step = [_level(regime, friction, reference, angle)], FIRST
-    while step > SHORTEST:
-        last = found[-1]
-        guess = last.apex
-        if len(found) > 1:
-            guess = guess + (last.apex - found[-2].apex) * step / (_slope(last) - _slope(found[-2]))
-        try:
-            next_one = gait_near(last.runner.replace({SLOPE: _slope(last) + step}), guess)
-        except RunError:
-            step *= 0.5
-            continue
-        if np.max(np.abs(next_one.apex - guess) / last.runner.scales) > AWAY:
-            step *= 0.5
-            continue
-        found.append(next_one)
-    return tuple(found)
-
-
-def _slope(one: Gait) -> float:
-    return one.runner[SLOPE]
+def climb(regime: Regime, friction: float, reference: float | None, angle: float | None) -> list[Row]:
+    """Gaits and special points up to the fold at which the branch from level ground turns back."""
+    level = _level(regime, friction, reference, angle)
+    return until_it_turns(followed(level, SLOPE, 0.0, HIGHEST, max_step=LARGEST_STEP))
 
 
 def steepest(friction: float, angle: float | None = None) -> Measure:
     """Slope of the steepest gait, degrees."""
-    return solved(lambda regime: math.degrees(_slope(climb(regime, friction, None, angle)[-1])))
+    return solved(lambda regime: math.degrees(climb(regime, friction, None, angle)[-1].value))
 
 
 def stable_to(friction: float, angle: float | None = None, reference: float | None = None) -> Measure:
-    """Slope of the last stable gait, degrees; the interval ends at the first unstable gait."""
+    """Slope at which the gait loses stability, or of the steepest gait, degrees."""
 
-    def degrees(regime: Regime, seed: int) -> Estimate:
-        gaits = climb(regime, friction, reference, angle)
-        unstable = next((k for k, one in enumerate(gaits) if not one.stable), len(gaits))
-        if not unstable:
+    def degrees(regime: Regime) -> float:
+        first, *rows = climb(regime, friction, reference, angle)
+        if not first.gait.stable:
             raise RunError("unstable")
-        last = math.degrees(_slope(gaits[unstable - 1]))
-        return Estimate(last, last, math.degrees(_slope(gaits[min(unstable, len(gaits) - 1)])))
+        lost = (row for row in rows if row.kind in BIFURCATIONS or not row.gait.stable)
+        return math.degrees(next(lost, rows[-1]).value)
 
-    return degrees
+    return solved(degrees)
 
 
 def at_the_top(quantity: str, friction: float) -> Measure:
     """A quantity of the steepest gait."""
-    return stride_quantity(lambda regime: climb(regime, friction, None, None)[-1], quantity)
+    return stride_quantity(lambda regime: climb(regime, friction, None, None)[-1].gait, quantity)
 
 
 def slowed(friction: float, reference: float | None = None) -> Measure:
@@ -288,28 +209,17 @@ def slowed(friction: float, reference: float | None = None) -> Measure:
     return solved(over)
 
 
-SLOPES_CHECKS = {
-    "slope-speed": check(
-        slowed(SLIPS), slowed(STICKS, SLIPS), below(*ALL_BUT_HUMAN), between(1.0, INFINITE, "human")
-    ),
-    "slope-steepest": check(steepest(SLIPS), steepest(STICKS), above(*ALL)),
-    "slope-top-speed": check(
+SLOPES: Measures = {
+    "slope-speed": (slowed(SLIPS), slowed(STICKS, SLIPS)),
+    "slope-steepest": (steepest(SLIPS), steepest(STICKS)),
+    "slope-top-speed": (
         at_the_top("speed", SLIPS),
         stride_quantity(lambda regime: gait(regime, SLIPS), "speed"),
-        ratio(-INFINITE, 0.05, "default"),
-        ratio(-INFINITE, 0.25, "clamp"),
     ),
-    "slope-stable": check(stable_to(SLIPS), stable_to(STICKS), above("default"), below("clamp")),
-    "slope-stable-matched": check(
-        stable_to(SLIPS), stable_to(STICKS, None, SLIPS), ratio(1.0, 1.4, "default")
-    ),
-    "slope-flat": check(
-        stable_to(SLIPS, FLAT),
-        stable_to(STICKS, FLAT),
-        above(*ALL_BUT_HUMAN),
-        between(11.2, INFINITE, *ALL_BUT_HUMAN),
-    ),
-    "slope-flat-0.6": check(steepest(0.6, FLAT), steepest(SLIPS, FLAT), below("default"), above("clamp")),
+    "slope-stable": (stable_to(SLIPS), stable_to(STICKS)),
+    "slope-stable-matched": (stable_to(SLIPS), stable_to(STICKS, None, SLIPS)),
+    "slope-flat": (stable_to(SLIPS, FLAT), stable_to(STICKS, FLAT)),
+    "slope-flat-0.6": (steepest(0.6, FLAT), steepest(SLIPS, FLAT)),
 }
 
 
@@ -355,20 +265,15 @@ def _by_way(of: Callable[[Regime], Gait]) -> Measure:
     return solved(lambda regime: of(regime).stride["slip_distance"] / of(regime).stride["length"])
 
 
-THRUST_CHECKS = {
-    "thrust-slip": check(_by_way(by_thrust), _by_way(by_torque), below(*TABLE_1)),
-    "thrust-slip-stride": check(
-        over_length(by_thrust, "slip_distance"), over_length(by_torque, "slip_distance"), above(*TABLE_1)
-    ),
-    "thrust-height": check(
-        over_length(by_thrust, "apex_height"), over_length(by_torque, "apex_height"), above(*TABLE_1)
-    ),
-    "thrust-slip-matched": check(_by_way(as_high), _by_way(by_torque), above(*ALL_BUT_HUMAN)),
-    "thrust-cost-matched": check(
-        stride_quantity(as_high, NET), stride_quantity(by_torque, NET), below(*ALL_BUT_HUMAN)
-    ),
-    "thrust-positive-cost-matched": check(
-        stride_quantity(as_high, POSITIVE), stride_quantity(by_torque, POSITIVE), below(*ALL_BUT_HUMAN)
+THRUSTS: Measures = {
+    "thrust-slip": (_by_way(by_thrust), _by_way(by_torque)),
+    "thrust-slip-stride": (over_length(by_thrust, "slip_distance"), over_length(by_torque, "slip_distance")),
+    "thrust-height": (over_length(by_thrust, "apex_height"), over_length(by_torque, "apex_height")),
+    "thrust-slip-matched": (_by_way(as_high), _by_way(by_torque)),
+    "thrust-cost-matched": (stride_quantity(as_high, NET), stride_quantity(by_torque, NET)),
+    "thrust-positive-cost-matched": (
+        stride_quantity(as_high, POSITIVE),
+        stride_quantity(by_torque, POSITIVE),
     ),
 }
 
@@ -412,35 +317,12 @@ def _slip(regime: Regime) -> float:
     return 100.0 * stride["slip_distance"] / stride["length"]
 
 
-OPTIMA_CHECKS = {
-    "optimal-net": check(
-        _cost(SLIPPERY, NET, NET),
-        _cost(STICKS, NET, NET),
-        ratio(0.78, 0.84, *ALL_BUT_HUMAN),
-        ratio(0.95, 1.0, "human"),
-    ),
-    "optimal-slip": check(solved(_slip), None, between(0.5, 2.5, *ALL)),
-    "optimal-net-positive": check(
-        _cost(SLIPPERY, NET, POSITIVE), _cost(STICKS, POSITIVE, POSITIVE), ratio(1.04, INFINITE, *TABLE_1)
-    ),
-    "optimal-positive": check(
-        _cost(BETWEEN, POSITIVE, POSITIVE),
-        _cost(STICKS, POSITIVE, POSITIVE),
-        ratio(0.97, 0.985, *ALL_BUT_HUMAN),
-        ratio(0.99, 1.0, "human"),
-    ),
-    "optimal-positive-slippery": check(
-        _cost(SLIPPERY, POSITIVE, POSITIVE),
-        _cost(STICKS, POSITIVE, POSITIVE),
-        ratio(-INFINITE, 1.0, "default"),
-        ratio(1.0, INFINITE, "clamp"),
-    ),
+OPTIMA: Measures = {
+    "optimal-net": (_cost(SLIPPERY, NET, NET), _cost(STICKS, NET, NET)),
+    "optimal-slip": (solved(_slip), None),
+    "optimal-net-positive": (_cost(SLIPPERY, NET, POSITIVE), _cost(STICKS, POSITIVE, POSITIVE)),
+    "optimal-positive": (_cost(BETWEEN, POSITIVE, POSITIVE), _cost(STICKS, POSITIVE, POSITIVE)),
+    "optimal-positive-slippery": (_cost(SLIPPERY, POSITIVE, POSITIVE), _cost(STICKS, POSITIVE, POSITIVE)),
 }
 
-CHECKS = {
-    "over_friction": OVER_FRICTION_CHECKS,
-    "falling": FALLING_CHECKS,
-    "slopes": SLOPES_CHECKS,
-    "thrust": THRUST_CHECKS,
-    "optima": OPTIMA_CHECKS,
-}
+MEASURES = OVER_FRICTION | FALLING | SLOPES | THRUSTS | OPTIMA

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Callable
 from functools import cache
+from typing import Any
 
 from scipy.stats import binomtest
 
@@ -14,30 +15,21 @@ from ...library.laws import AffineLaw
 from ...library.runner import Runner
 from ..matched import falls_on_patch
 from .claim import (
-    ALL,
-    ALL_BUT_HUMAN,
     ANGLE,
-    INFINITE,
     SLIPS,
     STICKS,
-    TABLE_1,
     TORQUE,
     Estimate,
     Measure,
+    Measures,
     Regime,
-    above,
-    below,
     cached_with_errors,
     changed_to,
-    check,
     equal_to,
     gait,
     made_equal,
     matched,
-    none_above,
-    none_below,
     over_length,
-    ratio,
     solved,
     stable_gait,
 )
@@ -110,44 +102,25 @@ def foot(quantity: str, friction: float, reference: float | None = None) -> Meas
     return over_length(lambda regime: runner_on(regime, friction, reference), quantity)
 
 
-ROUGH_CHECKS = {
-    "steps-as-they-come": check(strides(SLIPS, LOW), strides(STICKS, LOW), above(*ALL)),
-    "clearance": check(foot("foot_clearance", SLIPS), foot("foot_clearance", STICKS), above(*ALL)),
-    "steps-matched": check(
-        strides(SLIPS, LOW),
-        strides(STICKS, LOW, SLIPS),
-        above("default", "heavy"),
-        ratio(5.0, INFINITE, "default"),
-        none_above("clamp"),
-    ),
-    "steps-matched-0.6": check(strides(0.6, LOW), strides(STICKS, LOW, 0.6), above("default", "heavy")),
-    "steps-matched-to-sticking": check(
-        strides(SLIPS, LOW, STICKS), strides(STICKS, LOW), above("default", "heavy"), none_above("clamp")
-    ),
-    "steps-foot-height": check(
+def _matched(friction: float, **ground: Any) -> tuple[Measure, Measure]:
+    """Strides on a friction, and those of the sticking runner matched to it."""
+    return strides(friction, LOW, **ground), strides(STICKS, LOW, friction, **ground)
+
+
+ROUGH: Measures = {
+    "steps-as-they-come": (strides(SLIPS, LOW), strides(STICKS, LOW)),
+    "clearance": (foot("foot_clearance", SLIPS), foot("foot_clearance", STICKS)),
+    "steps-matched": _matched(SLIPS),
+    "steps-matched-0.6": _matched(0.6),
+    "steps-matched-to-sticking": (strides(SLIPS, LOW, STICKS), strides(STICKS, LOW)),
+    "steps-foot-height": (
         foot("greatest_foot_height", SLIPS),
         foot("greatest_foot_height", STICKS, SLIPS),
-        below("default", "heavy"),
     ),
-    "steps-that-trip": check(
-        strides(SLIPS, LOW, trips=True),
-        strides(STICKS, LOW, SLIPS, trips=True),
-        ratio(-INFINITE, 2.0, "default", "heavy"),
-    ),
-    "steps-rare": check(
-        rarely, strides(STICKS, LOWER, SLIPS), above("default"), ratio(10.0, INFINITE, "default")
-    ),
-    "steps-correlated": check(
-        strides(SLIPS, LOW, correlation=CORRELATION),
-        strides(STICKS, LOW, SLIPS, correlation=CORRELATION),
-        above("default", "heavy"),
-        none_above("clamp"),
-    ),
-    "segments": check(
-        strides(SLIPS, LOW, segment=SEGMENT),
-        strides(STICKS, LOW, SLIPS, segment=SEGMENT),
-        above("default", "heavy"),
-    ),
+    "steps-that-trip": _matched(SLIPS, trips=True),
+    "steps-rare": (rarely, strides(STICKS, LOWER, SLIPS)),
+    "steps-correlated": _matched(SLIPS, correlation=CORRELATION),
+    "segments": _matched(SLIPS, segment=SEGMENT),
 }
 
 
@@ -188,15 +161,10 @@ def share_that_falls(of: Callable[[Regime], Gait]) -> Measure:
 grippy_downhill = share_that_falls(lambda regime: on_slope(regime, GRIPPY_GROUND, SLOPE))
 slippery_downhill = share_that_falls(lambda regime: on_slope(regime, SLIPPERY_GROUND, SLOPE))
 
-PATCHES_CHECKS = {
-    "patch-level": check(
-        share_that_falls(lambda regime: on_slope(regime, GRIPPY_GROUND, 0.0)),
-        grippy_downhill,
-        below(*TABLE_1),
-        lambda rows: all(rows[name].number == 1.0 for name in ("heavy", "human")),
-    ),
-    "patch-downhill": check(grippy_downhill, slippery_downhill, above(*TABLE_1)),
-    "patch-matched": check(share_that_falls(as_fast), slippery_downhill, above(*TABLE_1)),
+PATCHES: Measures = {
+    "patch-level": (share_that_falls(lambda regime: on_slope(regime, GRIPPY_GROUND, 0.0)), grippy_downhill),
+    "patch-downhill": (grippy_downhill, slippery_downhill),
+    "patch-matched": (share_that_falls(as_fast), slippery_downhill),
 }
 
 
@@ -256,22 +224,16 @@ def strides_of(which: Which) -> Measure:
     return measure
 
 
-RETRACTION_CHECKS = {
-    "retraction-height": check(
-        height(retracting, STICKS), height(plain, STICKS), above("default"), below("clamp")
-    ),
-    "retraction-height-slips": check(height(retracting, SLIPS), height(plain, SLIPS), below(*TABLE_1)),
-    "retraction-height-flat": check(
-        height(retracting, STICKS, FLAT), height(plain, STICKS, FLAT), below(*TABLE_1)
-    ),
-    "retraction-height-matched": check(height(equal, STICKS), height(plain, STICKS), below(*TABLE_1)),
-    "retraction-height-matched-0.6": check(height(equal, 0.6), height(plain, 0.6), below(*TABLE_1)),
-    "retraction-height-matched-0.2": check(height(equal, SLIPS), height(plain, SLIPS), below(*TABLE_1)),
-    "retraction-steps": check(strides_of(retracting), strides_of(plain), below(*TABLE_1)),
-    "retraction-steps-matched": check(
-        strides_of(equal), strides_of(plain), below(*TABLE_1), none_below("heavy")
-    ),
-    "retraction-slip-matched": check(slip(equal), slip(plain), ratio(-INFINITE, 1.0, *ALL_BUT_HUMAN)),
+RETRACTION: Measures = {
+    "retraction-height": (height(retracting, STICKS), height(plain, STICKS)),
+    "retraction-height-slips": (height(retracting, SLIPS), height(plain, SLIPS)),
+    "retraction-height-flat": (height(retracting, STICKS, FLAT), height(plain, STICKS, FLAT)),
+    "retraction-height-matched": (height(equal, STICKS), height(plain, STICKS)),
+    "retraction-height-matched-0.6": (height(equal, 0.6), height(plain, 0.6)),
+    "retraction-height-matched-0.2": (height(equal, SLIPS), height(plain, SLIPS)),
+    "retraction-steps": (strides_of(retracting), strides_of(plain)),
+    "retraction-steps-matched": (strides_of(equal), strides_of(plain)),
+    "retraction-slip-matched": (slip(equal), slip(plain)),
 }
 
-CHECKS = {"rough": ROUGH_CHECKS, "patches": PATCHES_CHECKS, "retraction": RETRACTION_CHECKS}
+MEASURES = ROUGH | PATCHES | RETRACTION
