@@ -10,7 +10,7 @@ from tdmf_slip.cli.main import commands
 from tdmf_slip.errors import RunError
 from tdmf_slip.paper import results_page
 from tdmf_slip.paper.statements.claim import DEFAULT, REGIMES, Estimate, OwnClaim, Row, solved
-from tdmf_slip.paper.statements.own_claims import LAST_SEED, SECTIONS, OwnClaims, Recomputed, own_claims
+from tdmf_slip.paper.statements.own_claims import LAST_SEED, SECTIONS, Recomputed, own_claims, text_of
 from tdmf_slip.variables.parameters import preset_names
 
 DOCUMENTATION = Path(__file__).parents[2] / "documentation"
@@ -85,13 +85,12 @@ def test_a_claim_that_needs_a_missing_number_does_not_hold():
         claim = one_claim(solved(measure))
         row = claim.row(DEFAULT, 1)
         assert str(row) == cell
-        found = OwnClaims(7, [Recomputed(claim, {regime.name: row for regime in REGIMES})])
-        assert found.passed is holds
-        text = found.as_text(".venv/bin/tdmf-slip")
+        found = Recomputed(claim, 7, {regime.name: row for regime in REGIMES})
+        assert found.holds is holds
+        text = text_of([found], ".venv/bin/tdmf-slip")
         assert ("DOES NOT HOLD" in text) is not holds and ".venv/bin/tdmf-slip gait --seed 7" in text
         assert text.count(cell) >= len(REGIMES)
-        again = Recomputed.of_json(claim, found.as_json()[0])
-        assert again.rows == found.claims[0].rows
+        assert Recomputed.of_json(claim, 7, found.as_json()).rows == found.rows
 
 
 def test_an_estimate_shows_its_interval_or_a_bound_where_no_runner_fell():
@@ -123,7 +122,7 @@ def test_every_claim_computed_again_holds(section):
     seed = int(os.environ.get("TDMF_SLIP_SEED", "1"))
     found = own_claims(sections=[section], seed=seed)
     stored = stored_claims(section, seed)
-    for one, then in zip(found.claims, stored, strict=True):
+    for one, then in zip(found, stored, strict=True):
         assert one.holds, one.claim.name
         for regime in REGIMES:
             compare(one.rows[regime.name], then.rows[regime.name])

@@ -84,15 +84,15 @@ def test_a_simulation_settles_as_fast_as_its_eigenvalue_predicts(reading, eviden
 
 def test_a_second_impact_would_be_counted(evidence):
     found = replace(evidence[FREE], further_touchdowns=3)
-    (statement,) = (s for s in published.STATEMENTS if s.published == "second impact after lift-off")
-    assert statement.judge(found).agrees and not statement.judge(evidence[FREE]).agrees
+    (judge,) = (judge for claim, judge in published.STATEMENTS if "second impact" in claim.published)
+    assert judge(found).agrees and not judge(evidence[FREE]).agrees
 
 
 def test_a_gait_with_the_printed_torque_would_be_reported(evidence):
     found = evidence[FREE]
     settled = replace(found, printed_torque=replace(found.printed_torque, gaits=tuple(found.five)))
-    (statement,) = (s for s in published.STATEMENTS if s.misprint)
-    assert statement.judge(settled).agrees and not statement.judge(found).agrees
+    (judge,) = (judge for claim, judge in published.STATEMENTS if claim.misprint)
+    assert judge(settled).agrees and not judge(found).agrees
 
 
 def test_the_stored_statements_are_what_is_computed(claims):

@@ -23,9 +23,17 @@ class Row(NamedTuple):
     """Gait at the value."""
 
 
-def followed(first: Gait, name: str, begin: float, end: float, **limits: Any) -> list[Row]:
-    """Gaits and special points of a gait's branch, from one end of a range of a parameter to the other."""
+def followed(
+    first: Gait, name: str, begin: float, end: float, *, to_turn: bool = False, **limits: Any
+) -> list[Row]:
+    """Gaits and special points of a gait's branch, from one end of a range of a parameter to the other.
+
+    With `to_turn` only those up to the greatest value, where the branch first turns back.
+    """
     branch = continue_branch(first, {name: (begin, end)}, switch=False, **limits)
+    turns = np.flatnonzero(np.diff(branch[name].values) < 0.0)
+    if to_turn and len(turns):
+        branch = branch.isel(point=slice(turns[0] + 1))
     columns = branch[name].values.tolist(), branch["special"].values, gaits_in(branch)
     return [Row(*row) for row in zip(*columns, strict=True)]
 
@@ -33,12 +41,6 @@ def followed(first: Gait, name: str, begin: float, end: float, **limits: Any) ->
 def met(rows: Sequence[Row]) -> list[Row]:
     """Rows of gaits that were met, without special points."""
     return [row for row in rows if not row.kind]
-
-
-def until_it_turns(rows: list[Row]) -> list[Row]:
-    """Rows of a branch up to its greatest value, where it first turns back."""
-    turns = np.flatnonzero(np.diff([row.value for row in rows]) < 0.0)
-    return rows[: turns[0] + 1] if len(turns) else rows
 
 
 def words_over(found: Sweep) -> list[tuple[str, float, float]]:

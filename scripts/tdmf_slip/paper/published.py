@@ -1,8 +1,9 @@
 """The statements of Or and Moravia (2016) in sections 2 to 5, each with the comparison that decides on it."""
 
 import math
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pandas
@@ -68,45 +69,31 @@ NARROW = 1.001
 """Ratio of two borders of friction that are too close for the paper to have seen the word between them."""
 
 
-@dataclass(frozen=True)
-class Statement:
-    """A statement about the paper's runner."""
+Judge = Callable[[Evidence], Finding]
+STATEMENTS: list[tuple[Claim, Judge]] = []
+"""The statements about the paper's runner, and the comparison that decides on each in one reading."""
 
-    where: str
-    """Section of the paper."""
-    what: str
-    """Quantity or property."""
-    published: str
-    """The paper's words or number."""
-    judge: Callable[[Evidence], Finding]
-    """Comparison for one reading."""
-    misprint: bool = False
-    """True if the statement is about a formula as it is printed."""
-    beyond: bool = False
-    """True if the paper says that it could not compute this."""
 
-    def claim(self, evidence: Mapping[str, Evidence]) -> Claim:
-        """The statement with its findings by reading."""
-        found = {reading: self.judge(of_reading) for reading, of_reading in evidence.items()}
-        return Claim(self.what, self.published, found, self.where, misprint=self.misprint, beyond=self.beyond)
+def statement(where: str, what: str, published: str, **kind: Any) -> Callable[[Judge], Judge]:
+    """Add a statement, judged by the function that follows; `where` is the section of the paper."""
+
+    def add(judge: Judge) -> Judge:
+        STATEMENTS.append((Claim(what, published, {}, where, **kind), judge))
+        return judge
+
+    return add
 
 
 def claims(evidence: Mapping[str, Evidence], classic: ClassicEvidence) -> list[Claim]:
     """All statements of the paper, in its order."""
-    return [*classic_claims(classic), *(statement.claim(evidence) for statement in STATEMENTS)]
+    found = [
+        replace(claim, computed={reading: judge(of_reading) for reading, of_reading in evidence.items()})
+        for claim, judge in STATEMENTS
+    ]
+    return [*classic_claims(classic), *found]
 
 
-def _per_cent(evidence: Evidence, name: str) -> pandas.Series:
-    """Changes of a quantity over its value at the highest friction."""
-    values = evidence.gaits[name]
-    return 100.0 * (values / values.iloc[0] - 1.0)
-
-
-def _slips_last(evidence: Evidence) -> Finding:
-    slips = evidence.gaits["word"].str[-1].isin(["+", "-"])
-    return Finding(f"in {slips.sum()} of {len(slips)} gaits", bool(slips.all()))
-
-
+@statement("4", "(11) as printed, torque +tau0 in stance", "injects energy", misprint=True)
 def _printed_torque(evidence: Evidence) -> Finding:
     search = evidence.printed_torque
     if search.gaits:
@@ -114,6 +101,38 @@ def _printed_torque(evidence: Evidence) -> Finding:
     return Finding(f"+tau0: no gait from {search.starts:,} starts; -tau0: gaits", False)
 
 
+@statement("4", "slip before lift-off", "in every gait")
+def _slips_last(evidence: Evidence) -> Finding:
+    slips = evidence.gaits["word"].str[-1].isin(["+", "-"])
+    return Finding(f"in {slips.sum()} of {len(slips)} gaits", bool(slips.all()))
+
+
+@statement("4", "trajectories", "quite similar to the SLIP's")
+def _leg_at_apex(evidence: Evidence) -> Finding:
+    angles = [math.degrees(gait.apex[LEG_ANGLE]) for gait in evidence.five]
+    return Finding(f"leg at {min(angles):.0f}° to {max(angles):.0f}° at the apex", max(angles) < 0.0)
+
+
+@statement("5.1", "words at mu = 10, 1.2, 0.6, 0.43, 0.2", ", ".join(WORDS.values()))
+def _five_words(evidence: Evidence) -> Finding:
+    words = [gait.word for gait in evidence.five]
+    return Finding(", ".join(words), words == list(WORDS.values()))
+
+
+@statement("5.1", "words as mu falls", ", ".join(WORDS.values()))
+def _word_sequence(evidence: Evidence) -> Finding:
+    words = [word for word, high, low in words_over(evidence.sweep) if high > NARROW * low]
+    return Finding(", ".join(words), words == list(WORDS.values()))
+
+
+@statement("5.1", "a further word", "not reported", beyond=True)
+def _sixth_word(evidence: Evidence) -> Finding:
+    narrow = [one for one in words_over(evidence.sweep) if one[1] <= NARROW * one[2]]
+    text = ", ".join(f"{word} from {high:.6f} to {low:.6f}" for word, high, low in narrow)
+    return Finding(text or "none", not narrow)
+
+
+@statement("5.1", "theta after lift-off, mu = 10", "converges to eta theta_LO")
 def _leg_after_liftoff(evidence: Evidence) -> Finding:
     gait = evidence.five[0]
     angle = math.degrees(gait.apex[LEG_ANGLE])
@@ -123,43 +142,27 @@ def _leg_after_liftoff(evidence: Evidence) -> Finding:
     )
 
 
+@statement("5.1", "theta before touchdown, mu = 10", "converges to 40°")
 def _leg_at_touchdown(evidence: Evidence) -> Finding:
     angle = math.degrees(evidence.touchdown_angle)
     wanted = math.degrees(evidence.five[0].runner["hip.touchdown_angle"])
     return Finding(f"{angle:.2f}°", abs(angle - wanted) < NEAR_ANGLE)
 
 
-def _leg_at_apex(evidence: Evidence) -> Finding:
-    angles = [math.degrees(gait.apex[LEG_ANGLE]) for gait in evidence.five]
-    return Finding(f"leg at {min(angles):.0f}° to {max(angles):.0f}° at the apex", max(angles) < 0.0)
+@statement("5.1", "gaits below mu = 0.1", "none obtained", beyond=True)
+def _low_gaits(evidence: Evidence) -> Finding:
+    strides = evidence.settling
+    how = "does not settle" if strides is None else f"settles in {strides} strides"
+    return Finding(f"down to mu = {LEAST_FRICTION:g}; simulation {how}", False)
 
 
-def _five_words(evidence: Evidence) -> Finding:
-    words = [gait.word for gait in evidence.five]
-    return Finding(", ".join(words), words == list(WORDS.values()))
-
-
-def _word_sequence(evidence: Evidence) -> Finding:
-    words = [word for word, high, low in words_over(evidence.sweep) if high > NARROW * low]
-    return Finding(", ".join(words), words == list(WORDS.values()))
-
-
-def _cut_range(evidence: Evidence) -> Finding:
-    word, high, low = next(one for one in words_over(evidence.sweep) if one[2] < 7.0)
-    return Finding(f"{word} from {high:.2f} to {low:.2f}", word == "+0+" and high > 7.0 and low < 2.0)
-
-
-def _sixth_word(evidence: Evidence) -> Finding:
-    narrow = [one for one in words_over(evidence.sweep) if one[1] <= NARROW * one[2]]
-    text = ", ".join(f"{word} from {high:.6f} to {low:.6f}" for word, high, low in narrow)
-    return Finding(text or "none", not narrow)
-
-
+@statement("5.2", "lambda_max", "< 1: stable")
 def _stable(evidence: Evidence) -> Finding:
     values = evidence.gaits["lambda_max"]
     return Finding(f"{values.min():.4f} to {values.max():.4f}", bool(values.max() < 1.0))
 
 
+@statement("5.2", "lambda_max as mu falls", "rises")
 def _degrades(evidence: Evidence) -> Finding:
     values = evidence.gaits["lambda_max"]
     drops, first, last = -values.diff(), values.iloc[0], values.iloc[-1]
@@ -169,35 +172,31 @@ def _degrades(evidence: Evidence) -> Finding:
     return Finding(text, bool(drops.max() < 0.01 * (last - first)))
 
 
+@statement("5.2", "word from mu = 7 to 2", "+0+")
+def _cut_range(evidence: Evidence) -> Finding:
+    word, high, low = next(one for one in words_over(evidence.sweep) if one[2] < 7.0)
+    return Finding(f"{word} from {high:.2f} to {low:.2f}", word == "+0+" and high > 7.0 and low < 2.0)
+
+
+@statement("5.2", "eigenvalues below mu = 0.3", "not computable", beyond=True)
 def _low_eigenvalues(evidence: Evidence) -> Finding:
     gait = evidence.gaits.iloc[-1]
     return Finding(f"{gait['lambda_max']:.4f} at mu = {gait['friction']:g}", False)
 
 
-def _low_gaits(evidence: Evidence) -> Finding:
-    strides = evidence.settling
-    how = "does not settle" if strides is None else f"settles in {strides} strides"
-    return Finding(f"down to mu = {LEAST_FRICTION:g}; simulation {how}", False)
-
-
+@statement("5.2", "mu < 0.3, one coordinate of the apex off by 0.2 or less", "second impact after lift-off")
 def _second_impacts(evidence: Evidence) -> Finding:
     count = evidence.further_touchdowns
     return Finding(f"{count or 'none'} in {evidence.perturbed:,} strides", count > 0)
 
 
-def _tiny_eigenvalues(evidence: Evidence) -> Finding:
-    sizes = np.sort(evidence.moduli, axis=1)
-    counts = np.sum(sizes < TINY, axis=1)
-    few, many = int(counts.min()), int(counts.max())
-    number = f"{few}" if few == many else f"{few} or {many}"
-    largest = sizes[:, COUNT - 1]
-    return Finding(
-        f"{number} below {TINY:g}; the largest of {COUNT}: {largest.min():.0e} to {largest.max():.0e}",
-        few == many == COUNT,
-    )
+def _per_cent(evidence: Evidence, name: str) -> pandas.Series:
+    """Changes of a quantity over its value at the highest friction."""
+    values = evidence.gaits[name]
+    return 100.0 * (values / values.iloc[0] - 1.0)
 
 
-def _best(name: str, gain: float) -> Callable[[Evidence], Finding]:
+def _best(name: str, gain: float) -> Judge:
     """Compare the extreme change of a quantity over friction 10 with the paper's gain."""
 
     def judge(evidence: Evidence) -> Finding:
@@ -210,27 +209,13 @@ def _best(name: str, gain: float) -> Callable[[Evidence], Finding]:
     return judge
 
 
-def _slower(evidence: Evidence) -> Finding:
-    low = evidence.gaits[evidence.gaits["friction"] < BEST_FRICTION]
-    steepness = low["speed"].diff() / low["friction"].diff()
-    sharp = low["friction"] < SHARP_BELOW
-    above, below = steepness[~sharp].mean(), steepness[sharp].mean()
-    least, speed = low["friction"].iloc[-1], low["speed"].iloc[-1]
-    return Finding(
-        f"{speed:.3f} at mu = {least:g}; slope {below:.1f} below 0.2, {above:.1f} above",
-        bool(low["speed"].is_monotonic_decreasing and below > above),
-    )
-
-
-def _cheaper(evidence: Evidence) -> Finding:
-    slipping = _per_cent(evidence, "cost_of_transport")[evidence.gaits["word"].str.startswith("+")]
-    text = f"lower in {sum(slipping < 0.0)} of {len(slipping)} gaits, by up to {-slipping.min():.1f} %"
-    return Finding(text, bool(slipping.max() < 0.0))
+def _at_best(gain: float) -> str:
+    return f"≈ {gain:+g} % at mu ≈ {BEST_FRICTION:g}"
 
 
 def _trend(
     name: str, sign: float, digits: int, *, low: bool = False, where: bool = False, steadily: bool = True
-) -> Callable[[Evidence], Finding]:
+) -> Judge:
     """Compare the change of a quantity as friction falls to 0.5, or from there on, with the paper's sign.
 
     With `where` the text names the last friction. With `steadily` the quantity may not turn in between.
@@ -248,56 +233,59 @@ def _trend(
     return judge
 
 
+statement("5.2", "speed as mu falls to 0.5", "rises")(_trend("speed", 1.0, 4))
+statement("5.2", "largest speed", f"≈ {SPEED_GAIN:+g} % at mu ≈ {BEST_FRICTION:g}")(
+    _best("speed", SPEED_GAIN)
+)
+
+
+@statement("5.2", "speed below mu = 0.5", "drops, sharply below 0.2")
+def _slower(evidence: Evidence) -> Finding:
+    low = evidence.gaits[evidence.gaits["friction"] < BEST_FRICTION]
+    steepness = low["speed"].diff() / low["friction"].diff()
+    sharp = low["friction"] < SHARP_BELOW
+    above, below = steepness[~sharp].mean(), steepness[sharp].mean()
+    least, speed = low["friction"].iloc[-1], low["speed"].iloc[-1]
+    return Finding(
+        f"{speed:.3f} at mu = {least:g}; slope {below:.1f} below 0.2, {above:.1f} above",
+        bool(low["speed"].is_monotonic_decreasing and below > above),
+    )
+
+
+@statement("5.2", "cost of transport with slip at impact", "below that without, at every mu")
+def _cheaper(evidence: Evidence) -> Finding:
+    slipping = _per_cent(evidence, "cost_of_transport")[evidence.gaits["word"].str.startswith("+")]
+    text = f"lower in {sum(slipping < 0.0)} of {len(slipping)} gaits, by up to {-slipping.min():.1f} %"
+    return Finding(text, bool(slipping.max() < 0.0))
+
+
+statement("5.2", "step length as mu falls to 0.5", "increases")(_trend("length", 1.0, 1))
+statement("5.2", "impact loss as mu falls to 0.5", "decreases")(
+    _trend("impact_loss", -1.0, 4, steadily=False)
+)
+statement("5.2", "least cost of transport", f"≈ {COST_GAIN:+g} % at mu ≈ {BEST_FRICTION:g}")(
+    _best("cost_of_transport", COST_GAIN)
+)
+statement("5.2", "cost of transport below mu = 0.5", "rises")(
+    _trend("cost_of_transport", 1.0, 3, low=True, where=True)
+)
+statement("5.2", "step length below mu = 0.5", "decreases")(_trend("length", -1.0, 1, low=True))
+
+
+@statement("5.2", "work W below mu = 0.5", "rises, by the dissipation of slip")
 def _work(evidence: Evidence) -> Finding:
     work, lost = (_trend(name, 1.0, 4, low=True)(evidence) for name in ("work", "friction_loss"))
     return Finding(f"W {work.text}; friction {lost.text}", work.agrees)
 
 
-STATEMENTS: Sequence[Statement] = (
-    Statement(
-        "4", "(11) as printed, torque +tau0 in stance", "injects energy", _printed_torque, misprint=True
-    ),
-    Statement("4", "slip before lift-off", "in every gait", _slips_last),
-    Statement("4", "trajectories", "quite similar to the SLIP's", _leg_at_apex),
-    Statement("5.1", "words at mu = 10, 1.2, 0.6, 0.43, 0.2", ", ".join(WORDS.values()), _five_words),
-    Statement("5.1", "words as mu falls", ", ".join(WORDS.values()), _word_sequence),
-    Statement("5.1", "a further word", "not reported", _sixth_word, beyond=True),
-    Statement("5.1", "theta after lift-off, mu = 10", "converges to eta theta_LO", _leg_after_liftoff),
-    Statement("5.1", "theta before touchdown, mu = 10", "converges to 40°", _leg_at_touchdown),
-    Statement("5.1", "gaits below mu = 0.1", "none obtained", _low_gaits, beyond=True),
-    Statement("5.2", "lambda_max", "< 1: stable", _stable),
-    Statement("5.2", "lambda_max as mu falls", "rises", _degrades),
-    Statement("5.2", "word from mu = 7 to 2", "+0+", _cut_range),
-    Statement("5.2", "eigenvalues below mu = 0.3", "not computable", _low_eigenvalues, beyond=True),
-    Statement(
-        "5.2",
-        "mu < 0.3, one coordinate of the apex off by 0.2 or less",
-        "second impact after lift-off",
-        _second_impacts,
-    ),
-    Statement("5.2", "speed as mu falls to 0.5", "rises", _trend("speed", 1.0, 4)),
-    Statement(
-        "5.2", "largest speed", f"≈ {SPEED_GAIN:+g} % at mu ≈ {BEST_FRICTION:g}", _best("speed", SPEED_GAIN)
-    ),
-    Statement("5.2", "speed below mu = 0.5", "drops, sharply below 0.2", _slower),
-    Statement("5.2", "cost of transport with slip at impact", "below that without, at every mu", _cheaper),
-    Statement("5.2", "step length as mu falls to 0.5", "increases", _trend("length", 1.0, 1)),
-    Statement(
-        "5.2", "impact loss as mu falls to 0.5", "decreases", _trend("impact_loss", -1.0, 4, steadily=False)
-    ),
-    Statement(
-        "5.2",
-        "least cost of transport",
-        f"≈ {COST_GAIN:+g} % at mu ≈ {BEST_FRICTION:g}",
-        _best("cost_of_transport", COST_GAIN),
-    ),
-    Statement(
-        "5.2",
-        "cost of transport below mu = 0.5",
-        "rises",
-        _trend("cost_of_transport", 1.0, 3, low=True, where=True),
-    ),
-    Statement("5.2", "step length below mu = 0.5", "decreases", _trend("length", -1.0, 1, low=True)),
-    Statement("5.2", "work W below mu = 0.5", "rises, by the dissipation of slip", _work),
-    Statement("5.3", "very small eigenvalues", "4 of 7, 1e-3 to 1e-5", _tiny_eigenvalues),
-)
+@statement("5.3", "very small eigenvalues", "4 of 7, 1e-3 to 1e-5")
+def _tiny_eigenvalues(evidence: Evidence) -> Finding:
+    sizes = np.sort(evidence.moduli, axis=1)
+    counts = np.sum(sizes < TINY, axis=1)
+    few, many = int(counts.min()), int(counts.max())
+    number = f"{few}" if few == many else f"{few} or {many}"
+    largest = sizes[:, COUNT - 1]
+    return Finding(
+        f"{number} below {TINY:g}; the largest of {COUNT}: {largest.min():.0e} to {largest.max():.0e}",
+        few == many == COUNT,
+    )

@@ -34,8 +34,11 @@ def compute(name: str, progress: bool = False) -> Stored:
         found = validate(progress=progress)
         statements, others = ([claim.as_json() for claim in of] for of in (found.claims, found.others))
         return {"statements": statements, "others": others, "fit": fit_rows()}
-    rows = {seed: own_claims(sections=[name], seed=seed, progress=progress).as_json() for seed in SEEDS}
-    return {str(seed): [{of: row[of] for of in ("name", "regimes")} for row in rows[seed]] for seed in SEEDS}
+    own = {seed: own_claims(sections=[name], seed=seed, progress=progress) for seed in SEEDS}
+    return {
+        str(seed): [{"name": one.claim.name, "regimes": one.as_json()["regimes"]} for one in claims]
+        for seed, claims in own.items()
+    }
 
 
 def read(folder: Path, name: str) -> Stored:
@@ -61,7 +64,7 @@ def filled(page: str, folder: Path) -> str:
 def recomputed(section: str, stored: Stored, seed: int) -> list[Recomputed]:
     """The claims of a section with their values at a seed."""
     rows = {row["name"]: row for row in stored[str(seed)]}
-    return [Recomputed.of_json(claim, rows[claim.name]) for claim in SECTIONS[section]]
+    return [Recomputed.of_json(claim, seed, rows[claim.name]) for claim in SECTIONS[section]]
 
 
 def _section(claims: Sequence[Recomputed]) -> str:

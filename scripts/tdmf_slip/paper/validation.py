@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass
 
 from ..analysis.search import periodic_gait
 from ..checks import checked_flag, checked_whole
@@ -19,7 +19,7 @@ from .claims import PAPER, READINGS, WORDS, Claim, Group, of_group
 from .evidence import gather, gather_classic
 from .reference_gaits import Drift
 from .settling import DEFAULT_TOLERANCE, SettledRun, settle_fmu
-from .statements.own_claims import LAST_SEED, OwnClaims, own_claims
+from .statements.own_claims import LAST_SEED, Recomputed, own_claims, text_of
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -34,13 +34,13 @@ class Validation:
     """Every value beside its reference."""
     others: Sequence[Claim] = ()
     """Statements of other papers, on guinea fowl and on human running."""
-    own: OwnClaims = field(default_factory=lambda: OwnClaims(0, ()))
+    own: Sequence[Recomputed] = ()
     """This project's own claims; none where they were not computed."""
 
     @property
     def passed(self) -> bool:
         """True if all computed values are near enough to their references, and our own claims hold."""
-        return all(drift.passed for drift in self.drifts) and self.own.passed
+        return all(drift.passed for drift in self.drifts) and all(claim.holds for claim in self.own)
 
     @property
     def counts(self) -> dict[str, int]:
@@ -65,7 +65,7 @@ class Validation:
             "claims": [claim.as_json() for claim in self.claims],
             "other_papers": [claim.as_json() for claim in self.others],
             "drifts": [{**asdict(drift), "passed": drift.passed} for drift in self.drifts],
-            "own_claims": self.own.as_json(),
+            "own_claims": [claim.as_json() for claim in self.own],
         }
 
     def as_text(self, program: str = "tdmf-slip") -> str:
@@ -83,8 +83,7 @@ class Validation:
         """
         groups = [_table(group.value, of_group(self.claims, group)) for group in Group]
         counted = f"{len(self.claims)} statements of {PAPER}: {self._counted()}." if self.claims else ""
-        own = self.own.as_text(program) if self.own.claims else ""
-        said = [*groups, counted, _table("Other papers", self.others), own]
+        said = [*groups, counted, _table("Other papers", self.others), text_of(self.own, program)]
         return "\n\n".join([self._gait_table(), *filter(None, said), self._drift_summary()])
 
     def _gait_table(self) -> str:
@@ -230,5 +229,5 @@ def validate(
         claims=published.claims(evidence, classic),
         drifts=[*drifts, *reference.classic_drifts(classic)],
         others=[*guinea_fowl.claims(guinea_fowl.fall_map()), *human_running.claims()],
-        own=own_claims(seed=seed, progress=progress) if own else OwnClaims(seed, ()),
+        own=own_claims(seed=seed, progress=progress) if own else (),
     )

@@ -12,7 +12,7 @@ from ...library.gait import Gait
 from ...library.runner import Runner
 from ...pictures import style
 from ...variables.table import FRICTION
-from ..along import followed, met, until_it_turns
+from ..along import followed, met
 from ..matched import gait_with, match_gait
 from .data import LEADING, Results, table_of
 
@@ -42,11 +42,10 @@ def own(runner: Runner) -> Gaits:
     for friction in COLOURS:
         its = runner.replace({FRICTION: friction})
         first = periodic_gait(its)
-        down, up = (
-            followed(first, SLOPE, first.runner[SLOPE], end, max_step=LARGEST_STEP, max_points=POINTS)
+        down, climb = (
+            followed(first, SLOPE, 0.0, end, to_turn=end > 0.0, max_step=LARGEST_STEP, max_points=POINTS)
             for end in (LOWEST, HIGHEST)
         )
-        climb = until_it_turns(up)
         rows = *met(down)[:0:-1], *met(climb[:-1]), climb[-1]
         found[friction] = tuple((row.value, row.gait) for row in rows)
     return found

@@ -15,7 +15,7 @@ from ...library.runner import Runner
 from ...optimization.optimize import optimize
 from ...optimization.optimum import Optimum
 from ...variables.table import FRICTION
-from ..along import Row, followed, until_it_turns
+from ..along import Row, followed
 from .claim import (
     ANGLE,
     CLAMPED,
@@ -152,8 +152,8 @@ FALLING: Measures = {
 # Slopes: the speed uphill, the steepest slope with a gait, and the steepest on which it is stable
 
 SLOPE = "ground.slope"
-HIGHEST, LARGEST_STEP = math.radians(30.0), 0.03
-"""Slope up to which branches are followed, rad, and their largest step over the scales."""
+HIGHEST, POINTS = math.radians(30.0), 100
+"""Slope up to which branches are followed, rad, and the largest number of their gaits."""
 BIFURCATIONS = (FOLD, PERIOD_DOUBLING, NEIMARK_SACKER)
 FLAT = 0.85
 """Touchdown angle that lays the leg flatter than the paper's 40 degrees, rad."""
@@ -172,7 +172,7 @@ def _level(regime: Regime, friction: float, reference: float | None, angle: floa
 def climb(regime: Regime, friction: float, reference: float | None, angle: float | None) -> list[Row]:
     """Gaits and special points up to the fold at which the branch from level ground turns back."""
     level = _level(regime, friction, reference, angle)
-    return until_it_turns(followed(level, SLOPE, 0.0, HIGHEST, max_step=LARGEST_STEP))
+    return followed(level, SLOPE, 0.0, HIGHEST, to_turn=True, max_points=POINTS)
 
 
 def steepest(friction: float, angle: float | None = None) -> Measure:

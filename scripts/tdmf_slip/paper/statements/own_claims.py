@@ -7,13 +7,13 @@ import importlib.resources
 import textwrap
 import tomllib
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import astuple, dataclass
 from typing import Any
 
 from ...terminal.progress import progress_bar
 from ...terminal.text import table
 from . import gaits, regions, rough_ground
-from .claim import DEFAULT, REGIMES, Cell, Estimate, Measures, OwnClaim, Row, Rows
+from .claim import DEFAULT, REGIMES, Estimate, Measures, OwnClaim, Row, Rows
 
 TEXTS = tomllib.loads(importlib.resources.files(__package__).joinpath("claims.toml").read_text("utf-8"))
 MEASURES: Measures = gaits.MEASURES | regions.MEASURES | rough_ground.MEASURES
@@ -34,6 +34,8 @@ class Recomputed:
 
     claim: OwnClaim
     """The claim."""
+    seed: int
+    """Seed of the random numbers."""
     rows: Rows
     """Values and controls by name of the regime."""
 
@@ -44,75 +46,53 @@ class Recomputed:
 
     def as_json(self) -> dict[str, object]:
         """The claim as a plain object; a number is [value, low, high]."""
-        return {
-            "name": self.claim.name,
-            "claim": self.claim.what,
-            "command": self.claim.command,
-            "holds": self.holds,
-            "regimes": {
-                name: {"value": _plain(row.value), "control": _plain(row.control)}
-                for name, row in self.rows.items()
-            },
+        regimes = {
+            name: {
+                of: list(astuple(cell)) if isinstance(cell, Estimate) else cell
+                for of, cell in vars(row).items()
+            }
+            for name, row in self.rows.items()
         }
+        about = {"name": self.claim.name, "claim": self.claim.what, "command": self.claim.command}
+        return {**about, "holds": self.holds, "regimes": regimes}
 
     @classmethod
-    def of_json(cls, claim: OwnClaim, stored: Mapping[str, Any]) -> "Recomputed":
+    def of_json(cls, claim: OwnClaim, seed: int, stored: Mapping[str, Any]) -> "Recomputed":
         """The claim with stored numbers."""
+
+        def read(cell: Any) -> Any:
+            return Estimate(*map(float, cell)) if isinstance(cell, list) else cell
+
         regimes = stored["regimes"].items()
-        rows = {name: Row(_read(cells["value"]), _read(cells["control"])) for name, cells in regimes}
-        return cls(claim, rows)
+        return cls(claim, seed, {name: Row(*map(read, cells.values())) for name, cells in regimes})
+
+    def as_text(self, number: int, program: str) -> str:
+        """The claim with its verdict, value and control by regime, and the command, called as `program`."""
+        said = textwrap.fill(f"{number}. {self.claim.what}", 96, subsequent_indent="   ")
+        head = ["regime", "value" if self.rows[DEFAULT.name].control is None else "value / control"]
+        rows = [[regime.title, str(self.rows[regime.name])] for regime in REGIMES]
+        verdict = "holds" if self.holds else "DOES NOT HOLD"
+        command = self.claim.command.replace("tdmf-slip", program, 1).replace("{seed}", str(self.seed))
+        return f"{said}\n{textwrap.indent(table(head, rows), '   ')}\n   {verdict}: {command}"
 
 
-def _plain(cell: Cell | None) -> object:
-    return [cell.value, cell.low, cell.high] if isinstance(cell, Estimate) else cell
-
-
-def _read(cell: Any) -> Any:
-    return Estimate(*map(float, cell)) if isinstance(cell, list) else cell
-
-
-@dataclass(frozen=True, eq=False)
-class OwnClaims:
-    """Claims of this project with their values at one seed."""
-
-    seed: int
-    """Seed of the random numbers."""
-    claims: Sequence[Recomputed]
-    """Claims in the order of the page."""
-
-    @property
-    def passed(self) -> bool:
-        """True if all claims hold."""
-        return all(claim.holds for claim in self.claims)
-
-    def as_json(self) -> list[dict[str, object]]:
-        """The claims as plain objects."""
-        return [claim.as_json() for claim in self.claims]
-
-    def as_text(self, program: str = "tdmf-slip") -> str:
-        """Each claim with its verdict, value and control by regime, and the command, called as `program`."""
-        count = sum(one.holds for one in self.claims)
-        parts = [f"{count} of {len(self.claims)} claims of this project hold at seed {self.seed}."]
-        for number, one in enumerate(self.claims, start=1):
-            verdict = "holds" if one.holds else "DOES NOT HOLD"
-            said = textwrap.fill(f"{number}. {one.claim.what}", 96, subsequent_indent="   ")
-            head = ["regime", "value" if one.rows[DEFAULT.name].control is None else "value / control"]
-            rows = [[regime.title, str(one.rows[regime.name])] for regime in REGIMES]
-            command = one.claim.command.replace("tdmf-slip", program, 1).replace("{seed}", str(self.seed))
-            numbers = textwrap.indent(table(head, rows), "   ")
-            parts.append(f"{said}\n{numbers}\n   {verdict}: {command}")
-        return "\n\n".join(parts)
+def text_of(claims: Sequence[Recomputed], program: str) -> str:
+    """Number of claims that hold, and each claim with its numbers; nothing without any."""
+    if not claims:
+        return ""
+    count, seed = sum(one.holds for one in claims), claims[0].seed
+    held = f"{count} of {len(claims)} claims of this project hold at seed {seed}."
+    return "\n\n".join([held, *(one.as_text(number, program) for number, one in enumerate(claims, start=1))])
 
 
 def own_claims(
     *, sections: Sequence[str] = tuple(SECTIONS), seed: int = 1, progress: bool = False
-) -> OwnClaims:
-    """The claims of this project, computed in every regime."""
-    chosen = [claim for section in sections for claim in SECTIONS[section]]
-    found = []
+) -> list[Recomputed]:
+    """The claims of this project, computed in every regime, in the order of the page."""
+    chosen, found = [claim for section in sections for claim in SECTIONS[section]], []
     with progress_bar("claims", len(chosen), "claims", progress) as bar:
         for claim in chosen:
             rows = {regime.name: claim.row(regime, seed) for regime in REGIMES}
-            found.append(Recomputed(claim, rows))
+            found.append(Recomputed(claim, seed, rows))
             bar.update()
-    return OwnClaims(seed, found)
+    return found
