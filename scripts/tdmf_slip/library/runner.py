@@ -13,7 +13,7 @@ from ..errors import InputError
 from ..record import record_of
 from ..variables import paper_units
 from ..variables.parameters import RUNNER, RunnerLike, start_values_of
-from ..variables.table import MODELS, STATES, Model, by_full_name, model_named, model_of, scale
+from ..variables.table import MODELS, STATES, Model, by_full_name, model_named, model_of
 from ..variables.variable import Given, Value
 from . import members
 from .binding import c, check_accepted, ffi
@@ -263,8 +263,7 @@ class Runner(Mapping[str, Value]):
 
     def scale_of(self, unit: str) -> float:
         """The scale of quantities in a unit."""
-        scales = self.c_model.scales
-        return scale(unit, scales.length, scales.time, scales.energy / scales.speed**2)
+        return paper_units.scale(unit, self)
 
     def solver(self, log: Any | None = None) -> Any:
         """A native solver, the library's `tdmf_solver *`, which writes its events to a log."""

@@ -23,7 +23,7 @@ from ..library.engine import FATES, SETTLED
 from ..library.runner import Runner
 from ..record import runner_in
 from ..variables import paper_units
-from ..variables.table import FRICTION, VARIABLES, model_recorded, paper_unit, scale
+from ..variables.table import FRICTION, VARIABLES, model_recorded, paper_unit
 from . import style
 
 if TYPE_CHECKING:
@@ -162,7 +162,7 @@ def _label(data: "xarray.Dataset", axis: str) -> str:
     has_scales = set(paper_units.SCALES) <= values.keys()
     if unit == "rad" or paper_units.are_in_use(values) or not has_scales:
         return label
-    size = scale(unit, *paper_units.scales_of(values))
+    size = paper_units.scale(unit, values)
     return f"{label[:-1]};  {style.printed(paper_unit(unit))} = {size:.4g} {unit})"
 
 

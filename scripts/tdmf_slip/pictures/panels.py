@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 from ..errors import InputError
 from ..fmu.run import MODE
 from ..library.gait import Gait
-from ..variables.paper_units import scales_of
-from ..variables.table import Model, scale
+from ..variables import paper_units
+from ..variables.table import Model
 from . import style
 
 POINTS, TRAJECTORY_POINTS = 6000, 1001
@@ -58,12 +58,11 @@ class Stride:
         run = run_unit(gait, strides=1, output_interval=gait.period / POINTS)
         self.events = run.events
         self._table, self._variables = run.table, run.variables
-        self._scales = scales_of(gait.runner)
 
     def __getitem__(self, name: str) -> NDArray[np.float64]:
         """A recorded variable, one value per row."""
         rows: NDArray[np.float64] = self._table[name]
-        return rows / scale(self._variables[name].unit or "1", *self._scales)
+        return rows / paper_units.scale(self._variables[name].unit or "1", self.gait.runner)
 
     @cached_property
     def time(self) -> NDArray[np.float64]:
@@ -91,7 +90,11 @@ class Stride:
 
     def times_of(self, what: str) -> list[float]:
         """Times of the events of one kind."""
-        return [event.time / self._scales[1] for event in self.events if event.what == what]
+        return [
+            event.time / paper_units.scale("s", self.gait.runner)
+            for event in self.events
+            if event.what == what
+        ]
 
     @cached_property
     def stance_times(self) -> tuple[float, float]:

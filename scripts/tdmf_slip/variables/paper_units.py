@@ -10,7 +10,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from ..errors import Note
-from .table import DIMENSIONS, MODELS, VARIABLES, paper_unit, scale
+from .table import DIMENSIONS, MODELS, VARIABLES, paper_unit
 
 SCALES = MODELS["full"].scales
 """Names of the mass, the stiffness and the length that measure all other quantities of a runner."""
@@ -43,9 +43,8 @@ def mixture(values: Mapping[str, Any]) -> str:
         return ""
     own = {name: float(values[name]) for name in COMPARED}
     paper = {name: VARIABLES.start_of(name) for name in own}
-    scales = scales_of(own)
     ratios = {
-        name: own[name] / scale(VARIABLES[name].unit, *scales) / paper[name]
+        name: own[name] / scale(VARIABLES[name].unit, own) / paper[name]
         for name in MEASURED
         if own[name] > 0.0
     }
@@ -67,10 +66,11 @@ def mixture(values: Mapping[str, Any]) -> str:
     )
 
 
-def scales_of(values: Mapping[str, float]) -> tuple[float, float, float]:
-    """The runner's units of length, time and mass: l0, sqrt(m/k) and m."""
+def scale(unit: str, values: Mapping[str, float]) -> float:
+    """Scale of a runner's quantities in a unit, by its own units of length, time and mass."""
     mass, stiffness, length = (values[name] for name in SCALES)
-    return length, math.sqrt(mass / stiffness), mass
+    of_length, of_time, of_mass = DIMENSIONS[unit]
+    return float(length**of_length * math.sqrt(mass / stiffness) ** of_time * mass**of_mass)
 
 
 def warn_of_mixture(values: Mapping[str, Any]) -> None:

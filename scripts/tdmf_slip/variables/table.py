@@ -287,12 +287,6 @@ def by_full_name(
     return found
 
 
-def scale(unit: str, length: float, time: float, mass: float) -> float:
-    """Scale of quantities in a unit, from scales of length, time and mass."""
-    of_length, of_time, of_mass = DIMENSIONS[unit]
-    return length**of_length * time**of_time * mass**of_mass
-
-
 def paper_unit(unit: str) -> str:
     """Label of a unit in the paper's units: `l0 sqrt(k/m)` for `m/s`, the unit itself for a number."""
     powers = DIMENSIONS[unit]
