@@ -1,6 +1,6 @@
 """Two measures of a gait's stability against friction: largest eigenvalue and region of attraction."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping
 
 import numpy as np
 import pandas
@@ -8,11 +8,10 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from ...analysis.attraction import FARTHEST
-from ...feedback.judgement import Judgement, judge_all
-from ...library.gait import Gait
+from ...feedback.judgement import judge_all
 from ...pictures import style
 from ...pictures.style import CurveLabel
-from .data import Results, table_of
+from .data import Column, Results, table_by, table_of
 from .over_friction import CONTROL, friction_axis, mark_words
 
 MEASURED, MEASURED_EQUAL = 26, 12
@@ -26,37 +25,24 @@ DISTURBANCES = {
 """Labels and colours of the disturbances that are drawn."""
 
 
+JUDGED: Mapping[str, Column] = {
+    "samples": "volume.samples",
+    "attracted_share": "volume.share",
+    "attracted_share_low": lambda row: row.volume.interval[0],
+    "attracted_share_high": lambda row: row.volume.interval[1],
+    **{name: f"robustness.{name}" for name in PUSHES_AND_STEPS},
+}
+"""Columns of a judgement: share of starts that settle, with its interval, and the largest disturbances."""
+
+
 def table(results: Results) -> pandas.DataFrame:
     """Data of the figure; inf is a disturbance beyond the largest tried. Takes minutes."""
-    found = results.gaits
-    chosen = [found[i] for i in np.linspace(0, len(found) - 1, MEASURED).round().astype(int)]
-    return judged([*chosen, *results.equal[:: len(results.equal) // MEASURED_EQUAL]], len(chosen))
-
-
-def judged(gaits: Sequence[Gait], own: int) -> pandas.DataFrame:
-    """Attracted shares and largest disturbances. `matched` is 1 for all but the first `own` gaits."""
-    rows = judge_all([(gait, None) for gait in gaits], progress=True)
-    found = pandas.concat(
-        [
-            table_of(gaits, "friction", "word", "lambda_max"),
-            shares(rows),
-            table_of((row.robustness for row in rows), *PUSHES_AND_STEPS),
-        ],
-        axis=1,
-    )
-    found.insert(0, "matched", [int(number >= own) for number in range(len(rows))])
-    return found
-
-
-def shares(rows: Sequence[Judgement]) -> pandas.DataFrame:
-    """Shares of starts that settle, with their intervals."""
-    return table_of(
-        (row.volume for row in rows),
-        "samples",
-        attracted_share=lambda volume: volume.share,
-        attracted_share_low=lambda volume: volume.interval[0],
-        attracted_share_high=lambda volume: volume.interval[1],
-    )
+    found, equal = results.gaits, results.equal
+    chosen = [(0, found[i]) for i in np.linspace(0, len(found) - 1, MEASURED).round().astype(int)]
+    chosen += [(1, gait) for gait in equal[:: len(equal) // MEASURED_EQUAL]]
+    judged = judge_all([(gait, None) for _, gait in chosen], progress=True)
+    gaits = table_by(["matched"], chosen, "friction", "word", "lambda_max")
+    return gaits.join(table_of(judged, **JUDGED))
 
 
 def draw(results: Results) -> Figure:

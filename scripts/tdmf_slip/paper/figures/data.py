@@ -5,8 +5,9 @@ The table of a figure whose data take minutes is stored beside its module, as `N
 """
 
 import importlib.resources
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cache, cached_property
+from operator import attrgetter
 from typing import Any, TypeVar
 
 import numpy as np
@@ -64,6 +65,11 @@ class Results:
         """Gaits over friction, matched to the first one."""
         return over_friction(self.gaits, EQUAL)
 
+    @property
+    def both(self) -> list[tuple[int, Gait]]:
+        """Gaits over friction with 0, then those that are matched to the first one with 1."""
+        return [*((0, gait) for gait in self.gaits), *((1, gait) for gait in self.equal)]
+
     def once(self, compute: Callable[["Results"], Found]) -> Found:
         """The result of a function of this object, which is called once."""
         found: Found = self._once(compute)
@@ -82,11 +88,29 @@ def stored(figure: str) -> pandas.DataFrame | None:
         return pandas.read_csv(text, keep_default_na=False)
 
 
-def table_of(rows: Iterable[Any], *attributes: str, **columns: Callable[[Any], Any]) -> pandas.DataFrame:
-    """A row for each gait or other object: its attributes, and columns that are computed from it."""
-    rows = list(rows)
-    found = {name: [getattr(row, name) for row in rows] for name in attributes}
-    return pandas.DataFrame(found | {name: [of(row) for row in rows] for name, of in columns.items()})
+Column = str | Callable[[Any], Any]
+"""An attribute, also of an attribute, as `gait.word`; or a function."""
+
+
+def table_of(rows: Iterable[Any], *attributes: str, **columns: Column) -> pandas.DataFrame:
+    """A row for each gait or other object: its attributes, and columns of other names."""
+    rows, found = list(rows), dict(zip(attributes, attributes, strict=True)) | columns
+    values_of = {name: attrgetter(of) if isinstance(of, str) else of for name, of in found.items()}
+    return pandas.DataFrame({name: [of(row) for row in rows] for name, of in values_of.items()})
+
+
+def table_by(
+    names: Sequence[str], rows: Iterable[tuple[Any, ...]], *attributes: str, **columns: Column
+) -> pandas.DataFrame:
+    """A row for each tuple: the items before the last by their names, then the gait, as `table_of` does."""
+    *keys, gaits = zip(*rows, strict=True)
+    before = pandas.DataFrame(dict(zip(names, keys, strict=True)))
+    return before.join(table_of(gaits, *attributes, **columns))
+
+
+def value_of(name: str) -> Callable[[Gait], float]:
+    """A column of a value of the gaits' runners."""
+    return lambda gait: gait.runner[name]
 
 
 def leading(gait: Gait) -> np.ndarray:

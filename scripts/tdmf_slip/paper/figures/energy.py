@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 from ...library.gait import Gait
 from ...library.quantities import weight_of
 from ...pictures import style
-from .data import Results, table_of
+from .data import Results, table_by
 from .over_friction import friction_axis, mark_words
 
 SHARES = {
@@ -26,11 +26,8 @@ TITLES = (
 
 def table(results: Results) -> pandas.DataFrame:
     """Energies per weight and stride length. `matched` is 1 for runners matched to the first gait."""
-    own, equal = results.gaits, results.equal
     losses = {name: partial(_per_distance, name) for name in SHARES}
-    found = table_of([*own, *equal], "friction", "word", "cost_of_transport", **losses)
-    found.insert(0, "matched", [0] * len(own) + [1] * len(equal))
-    return found
+    return table_by(["matched"], results.both, "friction", "word", "cost_of_transport", **losses)
 
 
 def _per_distance(name: str, gait: Gait) -> float:

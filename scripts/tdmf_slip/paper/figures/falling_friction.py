@@ -16,7 +16,7 @@ from ...pictures import style
 from ...pictures.style import CurveLabel
 from ...variables.table import FRICTION
 from ..along import Row, followed
-from .data import Results, table_of
+from .data import Results, table_by
 
 SLOPE, RATIO, VELOCITY = "ground.slope", "ground.static_friction_ratio", "ground.stribeck_velocity"
 LEVEL, DOWNHILL = 0.0, -3.0
@@ -72,12 +72,8 @@ def table(results: Results) -> pandas.DataFrame:
     found = {(LEVEL, ratio): level(results.runner, ratio) for ratio in RATIOS[LEVEL]}
     found |= {(DOWNHILL, ratio): downhill(results.runner, ratio) for ratio in RATIOS[DOWNHILL]}
     rows = [(slope, ratio, *row) for (slope, ratio), branch in found.items() for row in branch]
-    points = pandas.DataFrame(
-        [row[:-1] for row in rows],
-        columns=["slope_degrees", "static_friction_ratio", "stribeck_velocity", "kind"],
-    )
-    gaits = [gait for *_, gait in rows]
-    return points.join(table_of(gaits, "word", "stable", "speed", "cost_of_transport", "lambda_max"))
+    names = ["slope_degrees", "static_friction_ratio", "stribeck_velocity", "kind"]
+    return table_by(names, rows, "word", "stable", "speed", "cost_of_transport", "lambda_max")
 
 
 def branch_of(data: pandas.DataFrame, slope: float, ratio: float) -> pandas.DataFrame:

@@ -14,8 +14,8 @@ from ...library.gait import Gait
 from ...pictures import style
 from ...pictures.style import CurveLabel
 from ..matched import match_gait
-from .attraction import PUSHES_AND_STEPS, shares
-from .data import Results, table_of
+from .attraction import JUDGED
+from .data import Results, table_by, table_of
 from .over_friction import draw_means, friction_axis
 from .rough import COUNTED, means
 
@@ -75,19 +75,15 @@ def table(results: Results) -> pandas.DataFrame:
             one = match_gait(results.gait(REFERENCE), gait) if name == MATCHED else gait
             if one is not None:
                 trials.append((name, one, law and replace(law, noise=noise, seed=SEED)))
-    pairs = [(gait, law) for _, gait, law in trials]
-    found = judge_all(pairs, roughness=ROUGHNESS, seed=SEED, progress=True)
+    found = judge_all([(gait, law) for _, gait, law in trials], roughness=ROUGHNESS, seed=SEED, progress=True)
+    gaits = table_by(["law"], [(name, gait) for name, gait, _ in trials], "friction", "word")
+    judged = table_of(found, lambda_max=_lambda_max, **JUDGED, runners=lambda _: RUNNERS)
     counted = []
     for number, roughness in enumerate(ROUGHNESS):
         passages = [one.first_passages[number] for one in found]
         of_ground = means(passages, f"mean_strides_{roughness:g}", *COUNTED)
         counted.append(of_ground.rename(columns={name: f"{name}_{roughness:g}" for name in COUNTED}))
-    of_gaits = table_of([gait for _, gait, _ in trials], "friction", "word")
-    of_gaits.insert(0, "law", [name for name, _, _ in trials])
-    radii = table_of(found, lambda_max=_lambda_max)
-    pushed = table_of((one.robustness for one in found), *PUSHES_AND_STEPS)
-    runners = pandas.DataFrame({"runners": [RUNNERS] * len(found)})
-    return pandas.concat([of_gaits, radii, shares(found), pushed, runners, *counted], axis=1)
+    return gaits.join([judged, *counted])
 
 
 def _lambda_max(one: Judgement) -> float:

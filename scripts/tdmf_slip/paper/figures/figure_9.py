@@ -13,7 +13,7 @@ from matplotlib.patches import Patch
 
 from ...pictures import style
 from ..published import BEST_FRICTION, COST_GAIN, SPEED_GAIN
-from .data import Results, table_of
+from .data import Results, table_by
 from .over_friction import CONTROL, friction_axis, mark_words
 
 PAPER_SHOWS = {"eigenvalue": ((0.3, 2.0), (7.0, 10.0)), "gait": ((0.1, 2.0), (7.0, 10.0))}
@@ -28,10 +28,8 @@ PANELS = (
 
 def table(results: Results) -> pandas.DataFrame:
     """Data of the figure. `matched` is 1 for runners matched to the first gait."""
-    own, equal = results.gaits, results.equal
-    found = table_of([*own, *equal], "friction", "word", "lambda_max", "speed", "cost_of_transport")
-    found.insert(0, "matched", [0] * len(own) + [1] * len(equal))
-    return found
+    columns = "friction", "word", "lambda_max", "speed", "cost_of_transport"
+    return table_by(["matched"], results.both, *columns)
 
 
 def draw(results: Results) -> Figure:

@@ -1,7 +1,8 @@
 """Optimal runners at each friction and one speed: the cheapest one, and the one that slips least.
 
 Touchdown angle, hip torque and leg thrust are varied. Where the second runner slips
-less, the slip of the cheapest one could be avoided.
+less, the slip of the cheapest one could be avoided. Where no runner has to
+slip, many do not, and the search finds an arbitrary one of them: only its slip is drawn.
 """
 
 from collections.abc import Iterator, Sequence
@@ -40,6 +41,8 @@ CHEAPEST, MIN_SLIP = "cost_of_transport", "slip_distance"
 COLOURS = {CHEAPEST: "#e07b00", MIN_SLIP: "#1f5fa8"}
 MARGIN = 1.1
 """Ratio of frictions between the ends of the axis and the data."""
+NO_SLIP = 1e-8
+"""Slip distance that counts as none, l0."""
 COSTS = (0.2, 0.8)
 """Range of costs on the axis."""
 NAMES = {CHEAPEST: "cheapest runner", MIN_SLIP: "runner with least slip"}
@@ -57,18 +60,17 @@ def table(results: Results) -> pandas.DataFrame:
             min_slipping = best(its, MIN_SLIP, [*min_slipping, *cheapest])
             found += [*cheapest, *min_slipping]
             bar.update()
-    settings = table_of(
+    columns = "word", "speed", CHEAPEST, "positive_cost_of_transport", MIN_SLIP, "length", "lambda_max"
+    return table_of(
         found,
-        friction=lambda optimum: optimum.gait.friction,
+        friction="gait.friction",
         cheapest=lambda optimum: optimum.objective == CHEAPEST,
-        touchdown_angle=lambda optimum: optimum.gait.runner[ANGLE],
-        stance_torque=lambda optimum: optimum.gait.runner[TORQUE],
-        thrust=lambda optimum: optimum.gait.runner[THRUST],
+        touchdown_angle=lambda optimum: optimum.parameters[ANGLE],
+        stance_torque=lambda optimum: optimum.parameters[TORQUE],
+        thrust=lambda optimum: optimum.parameters[THRUST],
+        **{name: f"gait.{name}" for name in columns},
+        shown=lambda optimum: not optimum.why,
     )
-    costs = ("cost_of_transport", "positive_cost_of_transport")
-    gaits = [optimum.gait for optimum in found]
-    strides = table_of(gaits, "word", "speed", *costs, "slip_distance", "length", "lambda_max")
-    return settings.join(strides).join(table_of(found, shown=lambda optimum: not optimum.why))
 
 
 def best(runner: Runner, objective: str, near: Sequence[Optimum], *, begin: bool = False) -> list[Optimum]:
@@ -96,7 +98,7 @@ def _starts(space: Space, runner: Runner, near: Sequence[Optimum]) -> Iterator[G
 def draw(results: Results) -> Figure:
     """Draw cost and slip of both runners against friction, and the drive of the cheapest one.
 
-    Runners that are not shown to be optima are left out.
+    Runners that are not shown to be optima are left out, and one of many that do not slip has only its slip.
     """
     figure, panels = style.subplots(2, 2, figsize=(9.2, 6.2), sharex=True)
     (cost, angle), (slip, drive) = panels
@@ -104,8 +106,9 @@ def draw(results: Results) -> Figure:
     cheapest, least = (data[(data["cheapest"] == chosen) & data["shown"]] for chosen in (True, False))
     for its, objective in ((cheapest, CHEAPEST), (least, MIN_SLIP)):
         colour, name = COLOURS[objective], NAMES[objective]
-        _curve(cost, its, its["cost_of_transport"], colour, name)
         _curve(slip, its, its["slip_distance"], colour, name)
+        its = its[its["slip_distance"] > NO_SLIP] if objective == MIN_SLIP else its
+        _curve(cost, its, its["cost_of_transport"], colour, name)
         _curve(angle, its, np.degrees(its["touchdown_angle"]), colour, name)
         positive, dashes = its["positive_cost_of_transport"], style.SLIP_DASHES
         _curve(cost, its, positive, colour, f"{name}, positive work only", linestyle=dashes)

@@ -13,7 +13,7 @@ from ...library.gait import Gait
 from ...pictures import style
 from ..along import Row, followed
 from ..matched import gait_with, match_gait
-from .data import LEADING, Results, table_of
+from .data import LEADING, Results, table_by
 
 RATE = "hip.retraction_rate"
 FRICTIONS = (0.2, 0.6, 10.0)
@@ -62,10 +62,8 @@ def table(results: Results) -> pandas.DataFrame:
         for friction in FRICTIONS
         for point in find(results.gait(friction))
     ]
-    columns = ["friction", "matched", "retraction_rate", "kind"]
-    points = pandas.DataFrame([row[:-1] for row in rows], columns=columns)
-    gaits = [gait for *_, gait in rows]
-    return points.join(table_of(gaits, "word", "stable", *("speed", "cost_of_transport"), **LEADING))
+    names = ["friction", "matched", "retraction_rate", "kind"]
+    return table_by(names, rows, "word", "stable", "speed", "cost_of_transport", **LEADING)
 
 
 def draw(results: Results) -> Figure:

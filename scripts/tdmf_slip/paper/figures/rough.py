@@ -47,7 +47,7 @@ COUNTED = ("falls", "strides", "stopped", "unsolved")
 def means(found: list[FirstPassage], name: str, *attributes: str) -> pandas.DataFrame:
     """Attributes of first passages, and their mean number of strides with its interval."""
     ends = {f"{name}_low": lambda one: one.interval[0], f"{name}_high": lambda one: one.interval[1]}
-    return table_of(found, *attributes, **{name: lambda one: one.mean_strides}, **ends)
+    return table_of(found, *attributes, **{name: "mean_strides"}, **ends)
 
 
 def _passage(trial: tuple[Runner, float]) -> FirstPassage:

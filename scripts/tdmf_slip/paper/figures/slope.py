@@ -14,7 +14,7 @@ from ...pictures import style
 from ...variables.table import FRICTION
 from ..along import followed, met
 from ..matched import gait_with, match_gait
-from .data import LEADING, Results, table_of
+from .data import LEADING, Results, table_by
 
 SLOPE = "ground.slope"
 COLOURS: Mapping[float, str] = {0.2: "#e07b00", 0.6: "#0b7a75", 10.0: "#22303c"}
@@ -80,9 +80,8 @@ def table(results: Results) -> pandas.DataFrame:
         for friction, branch in found.items()
         for slope, gait in branch
     ]
-    points = pandas.DataFrame([row[:-1] for row in rows], columns=["friction", "matched", "slope_degrees"])
-    gaits = [gait for *_, gait in rows]
-    return points.join(table_of(gaits, "word", "stable", "speed", "cost_of_transport", **LEADING))
+    names = ["friction", "matched", "slope_degrees"]
+    return table_by(names, rows, "word", "stable", "speed", "cost_of_transport", **LEADING)
 
 
 def draw(results: Results) -> Figure:

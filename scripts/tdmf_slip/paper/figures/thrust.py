@@ -11,7 +11,7 @@ from ...library.gait import Gait
 from ...pictures import style
 from ..along import followed, met
 from ..matched import gait_with, match_gait
-from .data import LEADING, Results, table_of
+from .data import LEADING, Results, table_of, value_of
 
 TORQUE, THRUST, ANGLE = "hip.stance_torque", "leg.thrust", "hip.touchdown_angle"
 FRICTIONS = (0.2, 0.6, 10.0)
@@ -42,20 +42,19 @@ def table(results: Results) -> pandas.DataFrame:
         hip = _branch(first, TORQUE, HIGHEST_TORQUE, 0.0)
         added = _branch(first, THRUST, HIGHEST_THRUST)
         gaits += (*hip, *added[1:], *_leg_alone(first), *matched(hip))
-    settings = table_of(
+    return table_of(
         gaits,
         "friction",
-        touchdown_angle=lambda gait: gait.runner[ANGLE],
-        hip_torque=lambda gait: gait.runner[TORQUE],
-        thrust=lambda gait: gait.runner[THRUST],
-    )
-    strides = table_of(
-        gaits,
-        *("word", "stable", "speed", "cost_of_transport"),
-        slip_per_length=lambda gait: gait.stride["slip_distance"] / gait.stride["length"],
+        touchdown_angle=value_of(ANGLE),
+        hip_torque=value_of(TORQUE),
+        thrust=value_of(THRUST),
+        word="word",
+        stable="stable",
+        speed="speed",
+        cost_of_transport="cost_of_transport",
+        slip_per_length=lambda gait: gait.slip_distance / gait.length,
         **LEADING,
     )
-    return settings.join(strides)
 
 
 def matched(by_hip: Sequence[Gait]) -> Iterator[Gait]:

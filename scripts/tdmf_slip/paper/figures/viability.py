@@ -28,9 +28,7 @@ def table(results: Results) -> pandas.DataFrame:
     small = Runner(results.runner, model="reduced")
     runners = [gait.runner for gait in at_frictions(small, REFERENCE, FRICTIONS, HOLD, VARY)]
     sets = [viability(one, axes=AXES, vary=CHOSEN, n=CELLS, progress=True) for one in runners]
-    settings = pandas.DataFrame(
-        [{"friction": one[FRICTION], **{of: one[of] for of in VARY}} for one in runners]
-    )
+    settings = pandas.DataFrame({of: [one[of] for one in runners] for of in (FRICTION, *VARY)})
     sizes = table_of(
         sets,
         "inner_share",
@@ -38,7 +36,7 @@ def table(results: Results) -> pandas.DataFrame:
         inner_robustness=lambda found: float(found["inner_robustness"].mean()),
         outer_robustness=lambda found: float(found["outer_robustness"].mean()),
     )
-    return settings.join(sizes)
+    return settings.rename(columns={FRICTION: "friction"}).join(sizes)
 
 
 def draw(results: Results) -> Figure:
