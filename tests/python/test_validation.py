@@ -30,15 +30,18 @@ MET = [
 MISSED = Drift(math.nan, "another border", 0.5, 0.6, 0.1, 5e-5, CLAMP)
 
 
-QUANTITIES = {"period": 24.764449999, "length": 26.3, "speed": 1.0617424, "work": 0.1}
-COST = {"cost_of_transport": 0.3717054, "liftoff_angle": -0.5, "apex": (1.0,) * 6}
+STRIDE = {"period": 24.764449999, "length": 26.3, "speed": 1.0617424, "work": 0.1}
+STRIDE |= {"cost_of_transport": 0.3717054, "liftoff_angle": -0.5}
 
 
 @pytest.fixture
 def gaits():
-    one = SettledRun(0.6, WORDS[0.6], **QUANTITIES, **COST, start_values={}, strides=60, change=0.0)
+    one = SettledRun(0.6, WORDS[0.6], STRIDE, (1.0,) * 6, start_values={}, strides=60, change=0.0)
     other = replace(one, friction=0.2, word="+-")
-    return {FREE: [one, replace(other, word="+0-")], CLAMP: [replace(one, speed=1.06), other]}
+    return {
+        FREE: [one, replace(other, word="+0-")],
+        CLAMP: [replace(one, stride={**STRIDE, "speed": 1.06}), other],
+    }
 
 
 def test_json_has_both_readings_of_every_statement(gaits):
@@ -62,9 +65,9 @@ def test_json_has_both_readings_of_every_statement(gaits):
 def test_json_has_deviations_of_a_run_from_its_reference():
     """The deviations of an apex are computed with arrays, but JSON knows only Python's own numbers."""
     known = recorded_gaits()[0]
-    values = {name: getattr(known, name) for name in (*QUANTITIES, *COST)}
+    values = {name: getattr(known, name) for name in STRIDE}
     start = {"ground.friction": known.friction, "hip.swing_clamp": known.swing_clamp}
-    run = SettledRun(known.friction, known.word, **values, start_values=start, strides=60, change=0.0)
+    run = SettledRun(known.friction, known.word, values, tuple(known.apex), start, strides=60, change=0.0)
     text = json.dumps(Validation({FREE: [run]}, (), drifts(run, known)).as_json())
     assert [drift["deviation"] for drift in json.loads(text)["drifts"]] == [0.0] * 12
 

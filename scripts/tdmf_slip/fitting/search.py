@@ -84,9 +84,7 @@ def best_from(problem: Problem, begin: Vector) -> Ended:
 
 
 def searched(problem: Problem, begin: Vector, fixed: int | None = None, change: float = CHANGE) -> Ended:
-    """Result of SciPy's `least_squares`, with all unknowns free but the one that is fixed."""
-    from scipy.optimize import least_squares  # slow to load
-
+    """Result of a search with all unknowns free but the one that is fixed."""
     low, high = problem.bounds
     free = np.arange(len(begin)) != fixed
     inside = INSIDE * np.maximum(1.0, np.abs(begin))
@@ -94,29 +92,44 @@ def searched(problem: Problem, begin: Vector, fixed: int | None = None, change: 
     if not free.any() or not np.isfinite(problem.residuals(first)).all():
         residuals = problem.residuals(begin)
         return Ended(begin, residuals, loss_of(residuals, problem.robust), np.zeros(len(begin), int), 0, True)
+    robust: dict[str, Any] = {"loss": "huber", "f_scale": HUBER} if problem.robust else {}
+    # From zero, SciPy's first step is no longer than one.
+    at, found = _least_squares(problem, first, np.zeros(len(begin)), free, change, MAX_STEPS, **robust)
+    active = np.zeros(len(begin), int)
+    active[free] = found.active_mask
+    return Ended(at, found.fun, 2.0 * found.cost, active, found.nfev, found.status > 0)
+
+
+def _least_squares(
+    of: "Problem | Across",
+    origin: Vector,
+    begin: Vector,
+    free: NDArray[np.bool_],
+    change: float,
+    tries: int,
+    **loss: Any,
+) -> tuple[Vector, Any]:
+    """Unknowns at the end of SciPy's search for their distance from an origin, and its report."""
+    from scipy.optimize import least_squares  # slow to load
 
     def at(step: Vector) -> Vector:
-        there = first.copy()
-        there[free] += step  # from zero, where SciPy's first step is no longer than one
-        return np.clip(there, low, high)
+        there = origin.copy()
+        there[free] += step
+        return np.clip(there, *of.bounds)
 
     found: Any = least_squares(
-        lambda step: problem.residuals(at(step)),
-        np.zeros(int(free.sum())),
-        lambda step: problem.jacobian(at(step))[:, free],
-        bounds=(low[free] - first[free], high[free] - first[free]),
+        lambda step: of.residuals(at(step)),
+        begin[free],
+        lambda step: of.jacobian(at(step))[:, free],
+        bounds=(of.bounds - origin)[:, free],
         method="trf",
-        x_scale=1.0,
         ftol=change,
         xtol=change,
         gtol=change,
-        max_nfev=MAX_STEPS,
-        loss="huber" if problem.robust else "linear",
-        f_scale=HUBER if problem.robust else 1.0,
+        max_nfev=tries,
+        **loss,
     )
-    active = np.zeros(len(begin), int)
-    active[free] = found.active_mask
-    return Ended(at(found.x), found.fun, 2.0 * found.cost, active, found.nfev, found.status > 0)
+    return at(found.x), found
 
 
 def loss_of(residuals: Vector, robust: bool) -> float:
@@ -261,6 +274,7 @@ class Across:
         self._scales = problem.runner.scales
         self._last: Vector | None = None
         self.begin = np.append(unknowns, np.zeros(self._first.size))
+        self.bounds = np.hstack([problem.bounds, np.outer([-np.inf, np.inf], np.ones(self._first.size))])
 
     def split(self, at: Vector) -> tuple[Vector, Vector]:
         """Unknowns of the problem, and apices of the strides, shape (rows, n)."""
@@ -314,33 +328,14 @@ def across_folds(problem: Problem, unknowns: Vector, fixed: int | None = None) -
 
     The problem goes on from there. None if no gaits are found beyond the fold.
     """
-    from scipy.optimize import least_squares  # slow to load
-
     across = Across(problem, unknowns)
-    first, free = across.begin, np.arange(len(across.begin)) != fixed
-    bounds = np.tile([[-np.inf], [np.inf]], len(first))
-    bounds[:, : len(unknowns)] = problem.bounds
-    if not np.isfinite(across.residuals(first)).all():
+    if not np.isfinite(across.residuals(across.begin)).all():
         return None
-
-    def at(freed: Vector) -> Vector:
-        there = first.copy()
-        there[free] = freed
-        return there
-
+    free = np.arange(len(across.begin)) != fixed
+    origin = np.where(free, 0.0, across.begin)
     try:
-        found: Any = least_squares(
-            lambda freed: across.residuals(at(freed)),
-            first[free],
-            lambda freed: across.jacobian(at(freed))[:, free],
-            bounds=bounds[:, free],
-            method="trf",
-            ftol=CHANGE_ACROSS,
-            xtol=CHANGE_ACROSS,
-            gtol=CHANGE_ACROSS,
-            max_nfev=MAX_STEPS_ACROSS,
-        )
-        reached, apexes = across.split(at(found.x))
+        at, _ = _least_squares(across, origin, across.begin, free, CHANGE_ACROSS, MAX_STEPS_ACROSS)
+        reached, apexes = across.split(at)
         values = problem.values(reached)
         runners = [problem.runner_of(values, row) for row in range(len(apexes))]
         problem.restart(reached, [gait_near(*ends).apex for ends in zip(runners, apexes, strict=True)])

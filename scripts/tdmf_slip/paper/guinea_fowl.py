@@ -206,6 +206,7 @@ def _continued(gait: Gait, speeds: Sequence[float]) -> list[Gait]:
     return found
 
 
+@cache
 def fall_map(leg_length: float | None = None) -> Map:
     """Falls on a slippery patch over speed and contact angle."""
     found = gaits(leg_length)

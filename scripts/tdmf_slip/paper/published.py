@@ -209,10 +209,6 @@ def _best(name: str, gain: float) -> Judge:
     return judge
 
 
-def _at_best(gain: float) -> str:
-    return f"≈ {gain:+g} % at mu ≈ {BEST_FRICTION:g}"
-
-
 def _trend(
     name: str, sign: float, digits: int, *, low: bool = False, where: bool = False, steadily: bool = True
 ) -> Judge:

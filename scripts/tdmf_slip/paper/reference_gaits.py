@@ -77,7 +77,7 @@ def drifts(run: SettledRun, reference: SimpleNamespace) -> list[Drift]:
         ("word", run.word, reference.word, float(run.word != reference.word), 0.0)
     ]
     for name in REPORTED:
-        computed, wanted = getattr(run, name), getattr(reference, name)
+        computed, wanted = run.stride[name], getattr(reference, name)
         found.append((name, computed, wanted, abs(computed / wanted - 1.0), QUANTITY_TOLERANCE))
     for name, computed, wanted, scale in zip(COORDINATES, run.apex, reference.apex, scales, strict=True):
         found.append((f"apex {name}", computed, wanted, abs(computed - wanted) / scale, APEX_TOLERANCE))

@@ -1,7 +1,7 @@
 """Runs of the unit until its strides repeat, to check the gaits of the return map."""
 
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -15,7 +15,7 @@ from ..given import mapping_of
 from ..library.gait import REPORTED
 from ..library.runner import Runner
 from ..library.section import COORDINATES
-from ..record import origin_of
+from ..record import entries, origin_of
 from ..variables.table import FRICTION
 from ..variables.variable import Given, Value
 
@@ -26,6 +26,8 @@ STRIDES = 2 * WINDOW, 6 * WINDOW, 50 * WINDOW
 """Strides of a run, and of longer ones where the runner has not settled by then."""
 MAX_SPREAD = 20.0
 """Largest deviation of a stride from the mean, over that of the mean itself; noise takes a tenth of it."""
+QUANTITIES = {name: f"stride.{name}" for name in REPORTED} | {"liftoff_angle": "hip.liftoff_angle"}
+"""Reported quantities, and their names in the unit."""
 APEX = tuple(f"apex.{name}" for name in COORDINATES)
 
 
@@ -37,18 +39,8 @@ class SettledRun:
     """Friction coefficient of the ground."""
     word: str
     """Word of the last stride."""
-    period: float
-    """Period of the last stride."""
-    length: float
-    """Length of the last stride."""
-    speed: float
-    """Speed of the last stride."""
-    work: float
-    """Work of the hip in the last stride."""
-    cost_of_transport: float
-    """Cost of transport of the last stride."""
-    liftoff_angle: float
-    """Angle of the leg at the last lift-off, rad."""
+    stride: Mapping[str, float]
+    """Quantities of the last stride, by the names in `QUANTITIES`."""
     apex: tuple[float, ...]
     """Section at the apex, in the order of `COORDINATES`."""
     start_values: Mapping[str, Value]
@@ -62,9 +54,9 @@ class SettledRun:
         """The run as a plain object."""
         return {
             **origin_of(),
-            **asdict(self),
-            "apex": list(self.apex),
-            "start_values": dict(self.start_values),
+            **entries(self, "friction", "word"),
+            **self.stride,
+            **entries(self, "apex", "start_values", "strides", "change"),
         }
 
 
@@ -93,7 +85,16 @@ def settle_fmu(
             raise RunError(f"no gait at friction {runner[FRICTION]:g}: the runner fell after {count} strides")
         change, obstacle = _obstacle(run, runner, 1000.0 * tolerance)
         if not obstacle:
-            return _settled(run, starts, runner, change)
+            apex = tuple(run.apex[name] for name in COORDINATES)
+            return SettledRun(
+                friction=runner[FRICTION],
+                word=str(run.stride["word"]),
+                stride={name: float(run.final[of]) for name, of in QUANTITIES.items()},
+                apex=apex,
+                start_values={**starts, FRICTION: runner[FRICTION], **runner.state_at(apex)},
+                strides=int(run.stride["count"]),
+                change=change,
+            )
     raise RunError(
         f"no gait at friction {runner[FRICTION]:g}: not settled after {STRIDES[-1]} strides; over the last "
         f"{WINDOW} {obstacle}"
@@ -115,17 +116,3 @@ def _obstacle(run: Run, runner: Runner, allowed: float) -> tuple[float, str]:
         limit = MAX_SPREAD * allowed
         return change, f"strides differ from their mean by {spread:.2g} of the scales, allowed: {limit:.2g}"
     return change, ""
-
-
-def _settled(run: Run, starts: Mapping[str, Value], runner: Runner, change: float) -> SettledRun:
-    apex = tuple(run.apex[name] for name in COORDINATES)
-    return SettledRun(
-        friction=runner[FRICTION],
-        word=str(run.stride["word"]),
-        **{name: float(run.stride[name]) for name in REPORTED},
-        liftoff_angle=float(run.final["hip.liftoff_angle"]),
-        apex=apex,
-        start_values={**starts, FRICTION: runner[FRICTION], **runner.state_at(apex)},
-        strides=int(run.stride["count"]),
-        change=change,
-    )

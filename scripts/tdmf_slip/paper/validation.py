@@ -21,6 +21,9 @@ from .reference_gaits import Drift
 from .settling import DEFAULT_TOLERANCE, SettledRun, settle_fmu
 from .statements.own_claims import LAST_SEED, Recomputed, own_claims, text_of
 
+SHOWN = ("period", "speed", "cost_of_transport")
+"""Quantities in the table of the gaits."""
+
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Validation:
@@ -94,8 +97,8 @@ class Validation:
         for row in zip(*self.gaits.values(), strict=True):
             cells = [f"{row[0].friction:g}", WORDS[row[0].friction]]
             for gait in row:
-                cells += [gait.word, f"{gait.period:.4f}", f"{gait.speed:.5f}"]
-                cells += [f"{gait.cost_of_transport:.5f}"]
+                period, speed, cost = (gait.stride[name] for name in SHOWN)
+                cells += [gait.word, f"{period:.4f}", f"{speed:.5f}", f"{cost:.5f}"]
             same = all(gait.word == WORDS[gait.friction] for gait in row)
             rows.append([*cells, "same words" if same else "OTHER"])
         notes = [

@@ -8,7 +8,7 @@ import importlib.resources
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cache, cached_property
 from operator import attrgetter
-from typing import Any, TypeVar
+from typing import Any
 
 import numpy as np
 import pandas
@@ -23,7 +23,6 @@ from ...variables.table import FRICTION
 from ..evidence import SWEPT
 from ..matched import over_friction
 
-Found = TypeVar("Found")
 EQUAL = 48
 """Number of gaits over friction that are matched to the first one."""
 CLAMP = "hip.swing_clamp"
@@ -36,7 +35,7 @@ class Results:
         """Compute tables by the functions of the figures, or read the stored ones."""
         self.runner = Runner(read_parameters("paper"))
         self._tables, self._measure = tables, measure
-        self.table, self.stride, self._once = cache(self._table), cache(self._stride), cache(self._computed)
+        self.table, self.stride = cache(self._table), cache(self._stride)
 
     def _table(self, figure: str) -> pandas.DataFrame:
         """Data of a figure."""
@@ -69,14 +68,6 @@ class Results:
     def both(self) -> list[tuple[int, Gait]]:
         """Gaits over friction with 0, then those that are matched to the first one with 1."""
         return [*((0, gait) for gait in self.gaits), *((1, gait) for gait in self.equal)]
-
-    def once(self, compute: Callable[["Results"], Found]) -> Found:
-        """The result of a function of this object, which is called once."""
-        found: Found = self._once(compute)
-        return found
-
-    def _computed(self, compute: Callable[["Results"], Any]) -> Any:
-        return compute(self)
 
 
 def stored(figure: str) -> pandas.DataFrame | None:

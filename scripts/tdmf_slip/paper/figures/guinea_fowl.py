@@ -22,14 +22,9 @@ SHOWN = (50.5, 75.5)
 """Range of contact angles on the axis, degrees."""
 
 
-def fall_map(_: Results) -> guinea_fowl.Map:
-    """Falls of runners of a guinea fowl's size."""
-    return guinea_fowl.fall_map()
-
-
-def table(results: Results) -> pandas.DataFrame:
+def table(_: Results) -> pandas.DataFrame:
     """Data of the figure, for all angles at which the leg can be placed."""
-    found = results.once(fall_map)
+    found = guinea_fowl.fall_map()
     rows = [
         (friction, speed, angle, outcomes.fell[i, k], outcomes.slip_distance[i, k])
         for friction, outcomes in found.outcomes.items()
@@ -40,9 +35,9 @@ def table(results: Results) -> pandas.DataFrame:
     return pandas.DataFrame(rows, columns=["friction", "speed", "contact_angle", "fell", "slip_distance"])
 
 
-def draw(results: Results) -> Figure:
+def draw(_: Results) -> Figure:
     """Draw a panel for each friction on the patch; in the last one it is that of the ground."""
-    found = results.once(fall_map)
+    found = guinea_fowl.fall_map()
     figure, panels = style.subplots(2, 2, figsize=(7.6, 6.6), sharex=True, sharey=True)
     for axes, friction in zip(panels.flat, found.outcomes, strict=True):
         _panel(axes, found, friction)

@@ -1,5 +1,6 @@
 """The reduced map beside the full model: regions of attraction, eigenvalues and stability."""
 
+from functools import cache
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -43,6 +44,7 @@ COORDINATES = {"full": "full model, six coordinates", "reduced": "reduced map, t
 TITLES = {"full": "(a) full model", "reduced": "(b) reduced map"}
 
 
+@cache
 def regions(results: Results) -> dict[str, "xarray.Dataset"]:
     """Regions of attraction of both models; that of the full model is a slice."""
     return {name: basin(results.runner, PLANE, STARTS, model=name) for name in ("full", "reduced")}
@@ -53,7 +55,7 @@ def region_table(results: Results) -> pandas.DataFrame:
     along = (np.linspace(*PLANE[axis], count) for axis, count in zip(REDUCED, STARTS, strict=True))
     height, speed = (grid.ravel() for grid in np.meshgrid(*along, indexing="ij"))
     columns: dict[str, Any] = {"com_height": height, "com_speed": speed}
-    for name, data in results.once(regions).items():
+    for name, data in regions(results).items():
         columns |= {f"{what}_{name}": data[what].values.ravel() for what in ("fate", "strides_until_known")}
     return pandas.DataFrame(columns)
 
@@ -62,7 +64,7 @@ def draw_regions(results: Results) -> Figure:
     """Draw the full model's slice and the reduced map's plane, one beside the other."""
     figure, panels = style.subplots(1, 2, figsize=(8.6, 4.9), sharey=True)
     handles: dict[object, Artist] = {}
-    for panel, (name, data) in zip(panels, results.once(regions).items(), strict=True):
+    for panel, (name, data) in zip(panels, regions(results).items(), strict=True):
         handles |= {handle.get_label(): handle for handle in basin_map.paint(panel, data)}
         panel.set_title(f"{TITLES[name]}: {data.settled_share:.1%} of starts settle")
     panels[1].set_ylabel("")
@@ -104,6 +106,7 @@ def draw_eigenvalues(results: Results) -> Figure:
     return figure
 
 
+@cache
 def planes(results: Results) -> "tuple[xarray.Dataset, xarray.Dataset]":
     """Stability of the reduced map by touchdown angle and damping, and by retraction rate and friction."""
     small = Runner(results.runner, model="reduced")
@@ -119,7 +122,7 @@ def planes(results: Results) -> "tuple[xarray.Dataset, xarray.Dataset]":
 def plane_table(results: Results) -> pandas.DataFrame:
     """Data of both planes: parameters, largest eigenvalue and word."""
     columns: dict[str, list[Any]] = {}
-    for one in results.once(planes):
+    for one in planes(results):
         names = tuple(map(str, one["word"].dims))
         grid = np.meshgrid(*(one[name].values for name in names), indexing="ij")
         for which, name, values in zip(("first", "second"), names, grid, strict=True):
@@ -132,7 +135,7 @@ def plane_table(results: Results) -> pandas.DataFrame:
 
 def draw_planes(results: Results) -> Figure:
     """Draw the largest eigenvalue over both planes, with the border of stability."""
-    first, second = maps = results.once(planes)
+    first, second = maps = planes(results)
     shares = [float((one["lambda_max"] < 1.0).mean()) for one in maps]
     figure, (left, right) = style.subplots(1, 2, figsize=(8.4, 4.5))
     mesh = _draw_plane(left, first, np.degrees(ANGLES), DAMPINGS)
