@@ -75,6 +75,93 @@ void run_crowd(crowd *crowd, tdmf_instructions instructions) {
     }
 }
 
+tdmf_ensemble_end *ends_of(crowd *crowd, tdmf_instructions instructions) {
+    tdmf_ensemble_end *ends = allocate(crowd->count, sizeof *ends);
+    run_crowd(crowd, instructions);
+    memcpy(ends, crowd->ends, (size_t)crowd->count * sizeof *ends);
+    return ends;
+}
+
+const tdmf_ensemble_end *assert_independent_runners(crowd *crowd, int step) {
+    const tdmf_ensemble_end *together = ends_of(crowd, TDMF_BEST_INSTRUCTIONS);
+    for (int threads = 2; threads <= 7; threads += 5) {
+        crowd->ensemble.threads = threads;
+        run_crowd(crowd, TDMF_BEST_INSTRUCTIONS);
+        assert_memory_equal(crowd->ends, together, (size_t)crowd->count * sizeof *together);
+    }
+    tdmf_ensemble one = crowd->ensemble;
+    one.count = 1;
+    for (int i = 0; i < crowd->count; i += step) {
+        tdmf_ensemble_end alone;
+        one.starts = &crowd->ensemble.starts[i];
+        one.case_of = &crowd->case_of[i];
+        assert_null(tdmf_run_ensemble(&one, &alone, NULL).variable);
+        assert_memory_equal(&alone, &together[i], sizeof alone);
+    }
+    return together;
+}
+
+void stride_by_hand(const crowd *crowd, int number, set_at_apex *set, void *context,
+                    strides_by_hand *by_hand) {
+    const tdmf_ensemble_rules *rules = &crowd->cases[0].rules;
+    tdmf_solver solver = solver_to(crowd->ensemble.relative_tolerance);
+    tdmf_inputs inputs = crowd->cases[0].inputs;
+    tdmf_model model = crowd->models[0];
+    tdmf_parameters parameters = model.parameters;
+    const tdmf_system system = {&model, &inputs};
+    tdmf_motion motion = {.time = 0.0};
+    double apex[TDMF_SECTION_COUNT];
+    memset(by_hand, 0, sizeof *by_hand);
+    memcpy(apex, crowd->starts[number], sizeof apex);
+    for (int stride = 0; stride < rules->max_strides; ++stride) {
+        if (set != NULL) {
+            set(context, number, stride, apex, &parameters, &inputs);
+            model = accepted_model(&parameters);
+        }
+        if (stride == 0) {
+            tdmf_section_state(system, apex, motion.state);
+            assert_null(tdmf_start(system, &motion).variable);
+        }
+        inputs.ground.height +=
+            rules->roughness * tdmf_ground_step(rules->seed, (uint64_t)number, (uint32_t)stride);
+        by_hand->heights[stride] = inputs.ground.height;
+        by_hand->begun = stride + 1;
+        tdmf_resolve(system, &motion);
+        const bool waits = motion.mode.ground.height != inputs.ground.height;
+        by_hand->waited += waits;
+        if (!tdmf_native_stride(&solver, system, motion.time + 1e4, &motion).closed) {
+            return;
+        }
+        by_hand->motions[stride] = motion;
+        by_hand->closed = stride + 1;
+        read_apex(&motion.record, apex);
+        if (motion.mode.ground.height != inputs.ground.height ||
+            motion.mode.ground.slope != inputs.ground.slope) {
+            return;
+        }
+        by_hand->passed += waits;
+    }
+}
+
+void assert_strides_by_hand(const crowd *crowd, int number, const strides_by_hand *by_hand) {
+    const tdmf_ensemble_end *end = &crowd->ends[number];
+    for (int stride = 0; stride < by_hand->begun; ++stride) {
+        const tdmf_ensemble_stride *noted = &crowd->strides[number * crowd->ensemble.stride_count + stride];
+        assert_close(noted->ground_height, by_hand->heights[stride], 1e-12);
+        if (stride < by_hand->closed) {
+            const tdmf_motion *motion = &by_hand->motions[stride];
+            double apex[TDMF_SECTION_COUNT];
+            read_apex(&motion->record, apex);
+            assert_all_close(noted->apex, apex, TDMF_SECTION_COUNT, 1e-7, 0.0);
+            assert_same_stride(&noted->stride, &motion->record.stride, 1e-7);
+            assert_close(noted->liftoff_angle, motion->mode.liftoff_angle, 1e-7);
+        }
+    }
+    assert_int_equal(end->strides, by_hand->closed);
+    assert_int_equal(end->fate, by_hand->closed == crowd->cases[0].rules.max_strides ? TDMF_FATE_UNDECIDED
+                                                                                     : TDMF_FATE_FELL);
+}
+
 void assert_crowd_is_refused(crowd *crowd) {
     const tdmf_ensemble_end before = crowd->ends[0];
     assert_non_null(tdmf_run_ensemble(&crowd->ensemble, crowd->ends, NULL).variable);

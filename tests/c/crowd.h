@@ -32,6 +32,32 @@ void note_strides(crowd *crowd, int count);
 /* Runs all runners to their ends; asserts that the ensemble is accepted. */
 void run_crowd(crowd *crowd, tdmf_instructions instructions);
 
+/* The ends by an instruction set, until the end of the test. */
+tdmf_ensemble_end *ends_of(crowd *crowd, tdmf_instructions instructions);
+
+/* Asserts that runners end alike, bit for bit, in any number of threads and, every `step`-th of them, alone.
+ * Returns their ends. */
+const tdmf_ensemble_end *assert_independent_runners(crowd *crowd, int step);
+
+/* Strides of a runner by the native solver; at each apex a function sets parameters and inputs, if there is
+ * one, and the ground steps by the roughness of the crowd's first case. */
+enum { BY_HAND_LIMIT = 12 };
+typedef struct {
+    int begun, closed;
+    int waited, passed; /* strides that began with a new line waiting, and those in which it took effect */
+    double heights[BY_HAND_LIMIT];      /* of the ground, for each stride begun */
+    tdmf_motion motions[BY_HAND_LIMIT]; /* ends of closed strides */
+} strides_by_hand;
+
+typedef void set_at_apex(void *context, int number, int stride, const double apex[TDMF_SECTION_COUNT],
+                         tdmf_parameters *parameters, tdmf_inputs *inputs);
+
+void stride_by_hand(const crowd *crowd, int number, set_at_apex *set, void *context,
+                    strides_by_hand *by_hand);
+
+/* Asserts that the crowd's noted strides and its end are those by hand. */
+void assert_strides_by_hand(const crowd *crowd, int number, const strides_by_hand *by_hand);
+
 /* Asserts that its ensemble is refused, and that nothing is written. */
 void assert_crowd_is_refused(crowd *crowd);
 

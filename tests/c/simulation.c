@@ -109,6 +109,11 @@ void read_apex(const tdmf_record *record, double section[TDMF_SECTION_COUNT]) {
     memcpy(section, values, sizeof values);
 }
 
+void assert_refusal_text(tdmf_refusal refusal, const char *expected) {
+    char text[256];
+    assert_string_equal(tdmf_refusal_text(&refusal, text, sizeof text), expected);
+}
+
 void assert_same_stride(const tdmf_stride *a, const tdmf_stride *b, double tolerance) {
     const double pairs[][2] = {{a->period, b->period},
                                {a->length, b->length},

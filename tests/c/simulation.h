@@ -64,6 +64,9 @@ simulation simulation_in(const tdmf_parameters *parameters, const tdmf_inputs *i
 /* A simulation by the runner's own model, from its state at time 0; asserts that a run may start there. */
 simulation simulation_of(const runner *runner, double relative_tolerance);
 
+/* Asserts the words of a refusal. */
+void assert_refusal_text(tdmf_refusal refusal, const char *expected);
+
 /* The section at the last apex. */
 void read_apex(const tdmf_record *record, double section[TDMF_SECTION_COUNT]);
 

@@ -69,46 +69,6 @@ TEST(ramps_of_every_input_close_the_ledger_and_agree_with_cvode) {
     }
 }
 
-/* ---- jumps --------------------------------------------------------------------------------------------- */
-
-static void jump(random_source *source, simulation *run, double largest) {
-    tdmf_inputs *inputs = &run->inputs;
-    tdmf_observe((tdmf_system){&run->model, inputs}, &run->motion);
-    run->model.parameters.leg.thrust =
-        random_chance(source, 0.3) ? 0.0 : random_uniform(source, 0.0, largest);
-    inputs->leg.extension = random_uniform(source, -0.5, 0.5) * largest;
-    inputs->control.thrust = random_chance(source, 0.5) ? 0.0 : random_uniform(source, -largest, largest);
-    inputs->control.stance_torque = random_uniform(source, -0.1, 0.1);
-    inputs->control.touchdown_angle = random_uniform(source, -0.1, 0.1);
-    inputs->body.external_fx = random_uniform(source, -0.01, 0.01);
-    inputs->body.external_fy = random_uniform(source, -0.03, 0.03);
-    inputs->ground.slope = random_uniform(source, -0.1, 0.1);
-    inputs->ground.height = random_uniform(source, -0.1, 0.1);
-}
-
-TEST(whatever_jumps_the_ledger_closes_and_chains_end) {
-    enum { RUNS = 600, JUMPS = 12 };
-    random_source source = {20};
-    int thrusts = 0, fell = 0, apices = 0;
-    for (int i = 0; i < RUNS; ++i) {
-        simulation run = begin(0.02, 1e-11);
-        tdmf_outcome outcome = TDMF_ARRIVED;
-        const double largest = i % 2 == 0 ? 0.1 : 0.6;
-        double turnover = 1.0;
-        for (int k = 0; k < JUMPS && outcome == TDMF_ARRIVED; ++k) {
-            jump(&source, &run, largest);
-            outcome = simulation_advance(&run, run.motion.time + random_uniform(&source, 0.1, 6.0));
-            assert_true(outcome == TDMF_ARRIVED || outcome == TDMF_FELL);
-            turnover = fmax(turnover, fabs(simulation_energy(&run)) + fabs(run.motion.state[TDMF_LEG_WORK]));
-            assert_close(simulation_ledger_error(&run), 0.0, 1e-9 * turnover);
-            thrusts += run.motion.mode.thrusts;
-        }
-        fell += outcome == TDMF_FELL;
-        apices += run.motion.record.stride.count;
-    }
-    assert_true(thrusts > 60 && fell > 3 && apices > 200);
-}
-
 /* ---- the rules of thrust ------------------------------------------------------------------------------- */
 
 static const double thrust = 0.05;
@@ -243,51 +203,4 @@ TEST(a_push_that_ramps_may_lift_and_drop_in_place) {
         const double apex = 3.0 + (b + sqrt(b * b + 4.0 * a * peak)) / (2.0 * a);
         assert_close(run.motion.record.apex.time, apex, i == 0 ? 1e-9 : 1e-6);
     }
-}
-
-/* No hang, and nothing that is not a number: the outcome says what became of it. */
-TEST(the_extremes_of_every_range_are_survived) {
-    static const double ends[] = {1e18, -1e18, 1e9, -1e9, 1e3};
-    int counts[TDMF_REFUSED + 1] = {0};
-    for (int i = 0; i < 5 * 16; ++i) {
-        const double end = ends[i % 5], length = fmin(fabs(end), 1e6) * (end < 0.0 ? -1.0 : 1.0);
-        const int which = i / 5;
-        simulation run = begin(which & 8 ? fabs(length) : 0.0, 1e-10);
-        run.inputs.body.external_fx = which & 1 ? end : 0.0;
-        run.inputs.body.external_fy = which & 2 ? end : 0.0;
-        run.inputs.leg.extension = which & 4 ? length : 0.0;
-        run.solver.step_limit = run.solver.event_limit = 30000;
-        const tdmf_outcome outcome = simulation_advance(&run, 40.0);
-        ++counts[outcome];
-        assert_all_finite(run.motion.state, TDMF_STATE_COUNT);
-    }
-    assert_int_equal(counts[TDMF_REFUSED], 0);
-    assert_true(counts[TDMF_ARRIVED] + counts[TDMF_FELL] > 5);
-}
-
-/* ---- stops --------------------------------------------------------------------------------------------- */
-
-static simulation actuated(void) {
-    simulation run = begin(0.05, 1e-12);
-    run.inputs.body.external_fx = -3e-4;
-    run.inputs.body.external_fy = 1e-3;
-    run.inputs.leg.extension = 0.01;
-    return run;
-}
-
-TEST(stops_make_no_difference) {
-    const double end = 60.0;
-    simulation whole = actuated(), stepped = actuated(), events = actuated();
-    simulation_advance(&whole, end);
-    for (int i = 1; i <= 200; ++i) {
-        simulation_advance(&stepped, end * i / 200.0);
-    }
-    assert_true(whole.log.count > 15 && whole.log.count <= TDMF_EVENT_CAPACITY);
-    for (int i = 0; i <= whole.log.count; ++i) {
-        simulation_advance(&events, i < whole.log.count ? whole.log.events[i].time : end);
-    }
-    assert_all_close(stepped.motion.state, whole.motion.state, TDMF_STATE_COUNT, 1e-9, 0.0);
-    assert_all_close(events.motion.state, whole.motion.state, TDMF_STATE_COUNT, 1e-9, 0.0);
-    assert_int_equal(stepped.motion.record.event_count, whole.motion.record.event_count);
-    assert_int_equal(events.motion.record.event_count, whole.motion.record.event_count);
 }

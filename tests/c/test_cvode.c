@@ -33,19 +33,6 @@ TEST(limits_are_those_of_a_call) {
     }
 }
 
-TEST(requests_without_sense_are_refused) {
-    simulation run = begin(1e-9);
-    const tdmf_motion before = run.motion;
-    assert_int_equal(advance(&run, NAN), TDMF_REFUSED);
-    assert_int_equal(advance(&run, -1.0), TDMF_REFUSED);
-    run.solver.relative_tolerance = NAN;
-    assert_int_equal(advance(&run, 1.0), TDMF_REFUSED);
-    run.solver.relative_tolerance = 1e-9;
-    run.inputs.ground.friction = NAN;
-    assert_int_equal(advance(&run, 1.0), TDMF_REFUSED);
-    assert_memory_equal(&run.motion, &before, sizeof before);
-}
-
 /* Lengths, times and masses are scaled by powers of two, so numbers change only their exponents. CVODE makes
  * the same steps but for the pivots of its linear solver. The pivots change results by the size of the
  * integration error, which in the period is a thousand times the tolerance of a step. */
@@ -91,27 +78,4 @@ TEST(an_input_that_has_jumped_is_met_before_the_first_step) {
     assert_int_equal(standing.motion.mode.contact, by_native.motion.mode.contact);
     assert_int_equal(standing.motion.record.event_count, by_native.motion.record.event_count);
     assert_true(standing.motion.state[TDMF_FOOT_VX] != 0.0);
-}
-
-/* CVODE does not integrate the clock; its steps read it all the same. */
-TEST(a_leg_that_is_retracted_goes_by_the_clock) {
-    int in_place = 0, others = 0;
-    skip_without_cvode();
-    simulation run = begin(1e-9);
-    run.model.parameters.hip.retraction_rate = 0.01;
-    simulation native = run;
-    run.solver.relative_tolerance = 1e-11;
-    for (int i = 1; i <= 40; ++i) {
-        const double until = 1.3 * i;
-        assert_int_equal(advance(&run, until), TDMF_ARRIVED);
-        assert_int_equal(simulation_advance(&native, until), TDMF_ARRIVED);
-        const bool is_placing = run.motion.mode.phase == TDMF_PHASE_PLACE;
-        assert_true(is_placing == (run.motion.state[TDMF_HIP_PLACE_TIME] > 0.0));
-        assert_close(run.motion.state[TDMF_HIP_PLACE_TIME], native.motion.state[TDMF_HIP_PLACE_TIME], 1e-6);
-        assert_close(run.motion.state[TDMF_LEG_ANGLE], native.motion.state[TDMF_LEG_ANGLE], 1e-6);
-        in_place += is_placing;
-        others += !is_placing;
-    }
-    assert_int_equal(run.motion.record.stride.count, native.motion.record.stride.count);
-    assert_true(in_place > 5 && others > 5);
 }

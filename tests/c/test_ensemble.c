@@ -214,13 +214,6 @@ TEST(each_runner_ends_as_by_the_native_solver) {
 
 /* ---- instruction sets ---------------------------------------------------------------------------------- */
 
-static tdmf_ensemble_end *ends_of(crowd *crowd, tdmf_instructions instructions) {
-    tdmf_ensemble_end *ends = allocate(crowd->count, sizeof *ends);
-    run_crowd(crowd, instructions);
-    memcpy(ends, crowd->ends, (size_t)crowd->count * sizeof *ends);
-    return ends;
-}
-
 /* Every instruction set ends every runner as one by one, bit for bit. */
 static void assert_agreement(crowd *crowd) {
     tdmf_ensemble_end *alone = ends_of(crowd, TDMF_ONE_BY_ONE);
@@ -255,21 +248,9 @@ TEST(neighbours_and_threads_do_not_matter) {
         p.leg.thrust = 1e-4;
         crowd->models[i] = accepted_model(&p);
     }
-    tdmf_ensemble_end *together = ends_of(crowd, TDMF_BEST_INSTRUCTIONS);
-    for (int threads = 2; threads <= 7; threads += 5) {
-        crowd->ensemble.threads = threads;
-        run_crowd(crowd, TDMF_BEST_INSTRUCTIONS);
-        assert_memory_equal(crowd->ends, together, RUNNERS * sizeof *together);
-    }
-    tdmf_ensemble one = crowd->ensemble;
-    one.count = 1;
-    for (int i = 0; i < RUNNERS; i += 7) {
-        tdmf_ensemble_end alone;
-        one.starts = &crowd->ensemble.starts[i];
-        one.case_of = &crowd->case_of[i];
-        assert_null(tdmf_run_ensemble(&one, &alone, NULL).variable);
-        assert_memory_equal(&alone, &together[i], sizeof alone);
-        assert_true(alone.strides == 0 || (alone.leg_work != 0.0) == (i % 3 == 0));
+    const tdmf_ensemble_end *together = assert_independent_runners(crowd, 7);
+    for (int i = 0; i < RUNNERS; ++i) {
+        assert_true(together[i].strides == 0 || (together[i].leg_work != 0.0) == (i % 3 == 0));
     }
 }
 

@@ -77,7 +77,7 @@ static void limit_steps(fmi3Instance instance) {
     ((struct instance *)instance)->step_limit = 200;
 }
 
-/* Runs a little further, from any state of the call sequence. */
+/* Runs on, past the end of the open stride if the steps suffice, from any state of the call sequence. */
 static void go_on(fmi3Instance instance, fmi_kind kind) {
     step_answer step = {false, false, false, 0.0};
     update_answer answer;
@@ -90,7 +90,7 @@ static void go_on(fmi3Instance instance, fmi_kind kind) {
         assert_numbers(instance);
         return;
     }
-    if (do_step(instance, time, 1e-3, &step) == fmi3OK && step.event &&
+    if (do_step(instance, time, 30.0, &step) == fmi3OK && step.event &&
         fmi3EnterEventMode(instance) == fmi3OK) {
         update(instance, &answer);
     }
@@ -143,27 +143,6 @@ TEST(whatever_is_forged_is_refused_or_goes_on) {
         forge_everywhere(kind, &refused, &accepted);
         assert_true(refused > sample_of(2000) && accepted > sample_of(1000));
     }
-}
-
-/* Fields of the open stride are checked, too: they become variables when the stride closes. */
-TEST(no_field_holds_what_is_not_a_number) {
-    serialized good, bad;
-    step_answer step;
-    const double nan = NAN;
-    long refused = 0;
-    fmi3Instance instance = new_on_its_way(STEPS);
-    serialize(instance, &good);
-    for (size_t offset = FORGE_CONTENT; offset + sizeof nan <= good.size; offset += TDMF_SAMPLE_DIVISOR) {
-        bad = good;
-        memcpy(bad.bytes + offset, &nan, sizeof nan);
-        forge_checksum(bad.bytes, bad.size);
-        assert_int_equal(restore(instance, &good), fmi3OK);
-        refused += restore(instance, &bad) != fmi3OK;
-        limit_steps(instance);
-        do_step(instance, get_float(instance, "time"), 30.0, &step);
-        assert_numbers(instance);
-    }
-    assert_true(refused > sample_of(200));
 }
 
 /* ---- single fields --------------------------------------------------------------------------------------

@@ -181,25 +181,6 @@ TEST(without_a_clamp_gains_of_zero_have_derivatives) {
     }
 }
 
-/* The reduced map has no swing: it places the leg at once. */
-TEST(the_reduced_map_does_not_depend_on_the_law) {
-    static const double apex[TDMF_REDUCED_COUNT] = {1.4, 1.05};
-    for (int i = 0; i < PUBLISHED_GAITS; ++i) {
-        tdmf_return strides[2];
-        for (int clamp = 0; clamp < 2; ++clamp) {
-            const tdmf_model model = table_1(clamp == 1);
-            const tdmf_inputs inputs = inputs_at_friction(reference_gaits[i].friction);
-            tdmf_solver solver = tdmf_solver_default();
-            memset(&strides[clamp], 0, sizeof strides[clamp]);
-            strides[clamp] = reduced_map(&solver, (tdmf_system){&model, &inputs}, apex, 1e3, true, NULL, 0);
-            assert_int_equal(strides[clamp].outcome, TDMF_RETURN_CLOSED);
-        }
-        assert_memory_equal(strides[0].apex, strides[1].apex, sizeof strides[0].apex);
-        assert_memory_equal(strides[0].variations, strides[1].variations, sizeof strides[0].variations);
-        assert_true(strides[0].stride.work == strides[1].stride.work);
-    }
-}
-
 /* ---- from one law to the other ------------------------------------------------------------------------- */
 
 /* At an apex the swing is over, so its law no longer matters. */

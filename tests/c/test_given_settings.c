@@ -32,27 +32,24 @@ static void go_on(crowd *crowd, int max_strides) {
     run_crowd(crowd, TDMF_BEST_INSTRUCTIONS);
 }
 
+static void set_row(void *context, int number, int stride, const double apex[TDMF_SECTION_COUNT],
+                    tdmf_parameters *parameters, tdmf_inputs *inputs) {
+    const int *first = context;
+    (void)apex;
+    (void)inputs;
+    parameters->hip.touchdown_angle = values[number][stride < *first + 1 ? 0 : 1];
+}
+
 /* The first row holds before the first stride that is given, the last row after the last one. */
 TEST(strides_are_made_with_the_rows_that_are_theirs) {
     for (int first = 0; first <= 3; ++first) {
         crowd *crowd = gather(first, STRIDES);
         run_crowd(crowd, TDMF_BEST_INSTRUCTIONS);
         for (int i = 0; i < RUNNERS; ++i) {
-            tdmf_solver solver = tdmf_solver_default();
-            double apex[TDMF_SECTION_COUNT];
-            memcpy(apex, crowd->starts[i], sizeof apex);
-            assert_int_equal(crowd->ends[i].strides, STRIDES);
-            for (int stride = 0; stride < STRIDES; ++stride) {
-                tdmf_parameters parameters = crowd->models[0].parameters;
-                parameters.hip.touchdown_angle = values[i][stride < first + 1 ? 0 : 1];
-                const tdmf_model model = accepted_model(&parameters);
-                const tdmf_return made = return_map(&solver, (tdmf_system){&model, &crowd->cases[0].inputs},
-                                                    apex, 1e4, false, NULL, 0);
-                assert_true(made.outcome == TDMF_RETURN_CLOSED);
-                assert_all_close(crowd->strides[i * STRIDES + stride].apex, made.apex, TDMF_SECTION_COUNT,
-                                 1e-8, 0.0);
-                memcpy(apex, made.apex, sizeof apex);
-            }
+            strides_by_hand by_hand;
+            stride_by_hand(crowd, i, set_row, &first, &by_hand);
+            assert_int_equal(by_hand.closed, STRIDES);
+            assert_strides_by_hand(crowd, i, &by_hand);
         }
     }
 }

@@ -247,29 +247,6 @@ TEST(a_start_below_the_ground_is_refused) {
     assert_string_equal(body.variable, "body.y");
 }
 
-/* ---- impact -------------------------------------------------------------------------------------------- */
-
-static double kinetic_energy(const runner *runner) {
-    return OUTPUTS_OF(runner).energy.kinetic;
-}
-
-TEST(at_no_impact_on_any_slope_does_kinetic_energy_rise) {
-    random_source source = {31};
-    for (int i = 0; i < 10000; ++i) {
-        runner runner = scene_random(&source, TDMF_CONTACT_FLIGHT);
-        runner.motion.mode.ground = tdmf_ground_line_of(0.0, random_uniform(&source, -0.99, 0.99));
-        const tdmf_ground_line *ground = &runner.motion.mode.ground;
-        tdmf_point foot = tdmf_foot_over_ground(ground, runner.motion.state);
-        foot.vy = -fabs(foot.vy);
-        scene_set_foot_velocity(foot.vx * ground->cosine - foot.vy * ground->sine,
-                                foot.vx * ground->sine + foot.vy * ground->cosine, runner.motion.state);
-        const double before = kinetic_energy(&runner);
-        const double loss = impact_on(SYSTEM_OF(&runner), ground, runner.motion.state);
-        assert_true(loss >= 0.0);
-        assert_close(kinetic_energy(&runner), before - loss, 1e-13 * before);
-    }
-}
-
 /* ---- what does not depend on where the ground is ------------------------------------------------------- */
 
 /* Up with the ground, or along it: the pivot of a line is no place on it. */
@@ -354,28 +331,6 @@ TEST(every_event_on_a_slope_is_where_its_guard_is_zero) {
     assert_true(apexes_in_graze > 5);
 }
 
-/* The line passes near the runner, above or below its foot, steep or level. */
-static void set_random_line(random_source *source, simulation *run) {
-    const double *state = run->motion.state;
-    const double slope = random_chance(source, 0.3) ? 0.0 : random_uniform(source, -0.4, 0.4);
-    const double step = random_uniform(source, -0.3, 0.3);
-    run->inputs.ground.slope = slope;
-    run->inputs.ground.height = state[TDMF_FOOT_Y] - state[TDMF_FOOT_X] * tan(slope) + step;
-}
-
-static void assert_is_sound(const simulation *run) {
-    const double *state = run->motion.state;
-    const tdmf_point foot = tdmf_foot_over_ground(&run->motion.mode.ground, state);
-    double turnover = fabs(run->start_energy);
-    assert_all_finite(state, TDMF_STATE_COUNT);
-    assert_true(foot.y >= -1e-9);
-    if (run->motion.mode.contact != TDMF_CONTACT_FLIGHT) {
-        assert_close(foot.y, 0.0, 1e-12);
-    }
-    turnover += state[TDMF_ENERGY_DAMPER_LOSS] + state[TDMF_ENERGY_FRICTION_LOSS] + 1.0;
-    assert_close(simulation_ledger_error(run), 0.0, 1e-8 * turnover);
-}
-
 /* Places up there are rounded to more than the margins of guards, which must not keep a foot at its line from
  * touching down. */
 TEST(a_runner_on_a_slope_far_up_or_down_runs_on) {
@@ -393,29 +348,4 @@ TEST(a_runner_on_a_slope_far_up_or_down_runs_on) {
             assert_close(far.motion.record.stride.speed, near.motion.record.stride.speed, 1e2 * rounding);
         }
     }
-}
-
-/* Friction is low and high, and the line may change at any moment. */
-TEST(random_runs_over_lines_that_change_stay_on_or_above_them) {
-    enum { RUNS = 400, PARTS = 60 };
-    int in_force[2] = {0, 0}, waited = 0, fell = 0, touchdowns = 0;
-    for (uint64_t seed = 0; seed < RUNS; ++seed) {
-        random_source source = {seed};
-        simulation run = run_at_apex(0.0, 0.0);
-        run.inputs.ground.friction = random_magnitude(&source, 0.05, 10.0);
-        tdmf_outcome outcome = TDMF_ARRIVED;
-        for (int i = 0; i < PARTS && outcome == TDMF_ARRIVED; ++i) {
-            if (random_chance(&source, 0.3)) {
-                set_random_line(&source, &run);
-            }
-            outcome = simulation_advance(&run, run.motion.time + random_magnitude(&source, 0.01, 10.0));
-            assert_true(outcome == TDMF_ARRIVED || outcome == TDMF_FELL);
-            assert_is_sound(&run);
-            waited += waits(&run);
-            ++in_force[run.motion.mode.ground.slope != 0.0];
-            touchdowns += run.motion.record.progress.open.touchdowns > 0;
-        }
-        fell += outcome == TDMF_FELL;
-    }
-    assert_true(in_force[0] > 500 && in_force[1] > 500 && waited > 500 && fell > 50 && touchdowns > 500);
 }

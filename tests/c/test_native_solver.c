@@ -240,15 +240,15 @@ TEST(a_fall_is_a_fall_under_any_limit) {
 
 static void assert_refused(const runner *runner, double tolerance, tdmf_inputs inputs, tdmf_inputs rates,
                            double until) {
-    tdmf_motion motion = runner->motion;
-    const tdmf_motion before = motion;
-    tdmf_solver solver = tdmf_solver_default();
-    solver.relative_tolerance = tolerance;
-    assert_int_equal(
-        tdmf_native_advance(&solver, (tdmf_system){&runner->model, &inputs}, &rates, until, &motion),
-        TDMF_REFUSED);
-    assert_memory_equal(&motion, &before, sizeof motion);
-    assert_int_equal(solver.steps, 0);
+    solver_call *const solvers[] = {tdmf_native_advance, tdmf_cvode_advance};
+    for (int i = 0; i < 1 + tdmf_cvode_is_available(); ++i) {
+        tdmf_motion motion = runner->motion;
+        tdmf_solver solver = solver_to(tolerance);
+        assert_int_equal(solvers[i](&solver, (tdmf_system){&runner->model, &inputs}, &rates, until, &motion),
+                         TDMF_REFUSED);
+        assert_memory_equal(&motion, &runner->motion, sizeof motion);
+        assert_int_equal(solver.steps, 0);
+    }
 }
 
 TEST(requests_without_sense_are_refused) {

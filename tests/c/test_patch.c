@@ -380,11 +380,10 @@ TEST(a_foot_that_slips_far_beyond_a_patch_meets_no_border) {
 TEST(a_patch_that_ends_before_it_begins_is_refused_by_name) {
     tdmf_parameters parameters = tdmf_default_parameters();
     tdmf_model model;
-    char text[256];
     parameters.ground.patch_begin = 2.0;
     parameters.ground.patch_end = 1.0;
     const tdmf_refusal refusal = tdmf_model_create(&model, &parameters);
-    assert_string_equal(tdmf_refusal_text(&refusal, text, sizeof text),
+    assert_refusal_text(refusal,
                         "ground.patch_end = 1 m is refused: allowed from 2 to 1e+09 m (ground.patch_begin)");
 }
 

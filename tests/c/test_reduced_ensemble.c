@@ -126,25 +126,8 @@ TEST(runners_end_where_the_map_takes_them) {
     }
 }
 
-/* ---- neighbours and threads --------------------------------------------------------------------------- */
-
 TEST(neighbours_and_threads_do_not_matter) {
-    crowd *crowd = reduced_crowd();
-    tdmf_ensemble_end together[RUNNERS];
-    run_crowd(crowd, TDMF_BEST_INSTRUCTIONS);
-    memcpy(together, crowd->ends, sizeof together);
-    crowd->ensemble.threads = 3;
-    run_crowd(crowd, TDMF_BEST_INSTRUCTIONS);
-    assert_memory_equal(crowd->ends, together, sizeof together);
-    for (int i = 0; i < RUNNERS; i += 3) {
-        tdmf_ensemble one = crowd->ensemble;
-        tdmf_ensemble_end alone;
-        one.starts = &crowd->ensemble.starts[i];
-        one.case_of = &crowd->case_of[i];
-        one.count = 1;
-        assert_null(tdmf_run_ensemble(&one, &alone, NULL).variable);
-        assert_memory_equal(&alone, &together[i], sizeof alone);
-    }
+    assert_independent_runners(reduced_crowd(), 3);
 }
 
 /* ---- settling ----------------------------------------------------------------------------------------- */

@@ -1,5 +1,6 @@
 /* Refusals: the values refused, the messages, and outputs left alone. */
 #include "compare.h"
+#include "ranges.h"
 #include "scene.h"
 #include "simulation.h"
 
@@ -8,52 +9,30 @@
 #include <math.h>
 #include <string.h>
 
-typedef struct {
-    const char *name;
-    size_t offset;
-} named_value;
-
-#define PARAMETER(path)                                                                                      \
-    { #path, offsetof(tdmf_parameters, path) }
-
-static const named_value parameter_names[] = {
-    PARAMETER(body.mass),
-    PARAMETER(foot.mass),
-    PARAMETER(leg.stiffness),
-    PARAMETER(leg.damping),
-    PARAMETER(leg.free_length),
-    PARAMETER(leg.min_length),
-    PARAMETER(gravity),
-    PARAMETER(hip.stance_torque),
-    PARAMETER(hip.touchdown_angle),
-    PARAMETER(hip.kp),
-    PARAMETER(hip.kd),
-    PARAMETER(hip.liftoff_angle_factor),
-};
-enum { PARAMETER_NAMES = COUNT_OF(parameter_names) };
-
-static void set(void *values, const named_value *which, double value) {
-    memcpy((char *)values + which->offset, &value, sizeof value);
-}
-
 /* ---- parameters ------------------------------------------------------------------------------------- */
 
-/* The shortest minimum of the longest leg, so that no bound across variables is in the way. */
-static tdmf_parameters wide_parameters(const named_value *which) {
-    tdmf_parameters parameters = tdmf_default_parameters();
-    parameters.leg.min_length = 1e-9;
-    if (strcmp(which->name, "leg.min_length") == 0) {
-        parameters.leg.free_length = 1e6;
+static const tdmf_range *range_of(const char *name) {
+    int i = 0;
+    while (strcmp(tdmf_parameter_ranges[i].name, name) != 0) {
+        ++i;
     }
-    return parameters;
+    return &tdmf_parameter_ranges[i];
 }
 
-static tdmf_refusal create_with(const named_value *which, double value) {
-    tdmf_parameters parameters = wide_parameters(which);
+/* The shortest minimum of the longest leg and the widest patch, so that no bound across variables is in the
+ * way of this parameter. */
+static tdmf_refusal create_with(const tdmf_range *range, double value) {
+    tdmf_parameters parameters = tdmf_default_parameters();
     tdmf_model model, untouched;
+    parameters.leg.min_length = 1e-9;
+    if (strcmp(range->name, "leg.min_length") == 0) {
+        parameters.leg.free_length = 1e6;
+    }
+    parameters.ground.patch_begin = range_of("ground.patch_begin")->minimum;
+    parameters.ground.patch_end = range_of("ground.patch_end")->maximum;
     memset(&model, 0x5a, sizeof model);
     memcpy(&untouched, &model, sizeof model);
-    set(&parameters, which, value);
+    memcpy((char *)&parameters + range->offset, &value, sizeof value);
     const tdmf_refusal refusal = tdmf_model_create(&model, &parameters);
     if (refusal.variable != NULL) {
         assert_memory_equal(&model, &untouched, sizeof model);
@@ -61,38 +40,38 @@ static tdmf_refusal create_with(const named_value *which, double value) {
     return refusal;
 }
 
-static void assert_refuses_parameter(const named_value *which, double value) {
-    const tdmf_refusal refusal = create_with(which, value);
+static void assert_refuses_parameter(const tdmf_range *range, double value) {
+    const tdmf_refusal refusal = create_with(range, value);
     assert_non_null(refusal.variable);
-    assert_string_equal(refusal.variable, which->name);
+    assert_string_equal(refusal.variable, range->name);
     assert_true(refusal.value == value || isnan(value));
     assert_true(refusal.minimum <= refusal.maximum);
 }
 
 TEST(every_parameter_has_a_range) {
-    for (size_t i = 0; i < PARAMETER_NAMES; ++i) {
-        const named_value *which = &parameter_names[i];
-        const tdmf_refusal range = create_with(which, (double)NAN);
-        assert_refuses_parameter(which, (double)NAN);
-        assert_refuses_parameter(which, (double)INFINITY);
-        assert_refuses_parameter(which, -(double)INFINITY);
-        assert_refuses_parameter(which, nextafter(range.minimum, -DBL_MAX));
-        assert_refuses_parameter(which, nextafter(range.maximum, DBL_MAX));
-        assert_null(create_with(which, range.minimum).variable);
-        assert_null(create_with(which, range.maximum).variable);
+    for (int i = 0; i < TDMF_PARAMETER_COUNT; ++i) {
+        const tdmf_range *range = &tdmf_parameter_ranges[i];
+        const double bad[] = {NAN, INFINITY, -INFINITY, nextafter(range->minimum, -DBL_MAX),
+                              nextafter(range->maximum, DBL_MAX)};
+        for (size_t k = 0; k < COUNT_OF(bad); ++k) {
+            assert_refuses_parameter(range, bad[k]);
+        }
+        assert_null(create_with(range, range->minimum).variable);
+        assert_null(create_with(range, range->maximum).variable);
     }
 }
 
 TEST(ranges_exclude_what_makes_no_sense) {
-    static const size_t positive[] = {0, 1, 2, 4, 5, 6};
-    static const size_t not_negative[] = {3, 9, 10, 11};
+    static const char *const positive[] = {"body.mass",       "foot.mass",      "leg.stiffness",
+                                           "leg.free_length", "leg.min_length", "gravity"};
+    static const char *const not_negative[] = {"leg.damping", "hip.kp", "hip.kd", "hip.liftoff_angle_factor"};
     for (size_t i = 0; i < COUNT_OF(positive); ++i) {
-        assert_refuses_parameter(&parameter_names[positive[i]], 0.0);
-        assert_refuses_parameter(&parameter_names[positive[i]], -1.0);
+        assert_refuses_parameter(range_of(positive[i]), 0.0);
+        assert_refuses_parameter(range_of(positive[i]), -1.0);
     }
     for (size_t i = 0; i < COUNT_OF(not_negative); ++i) {
-        assert_null(create_with(&parameter_names[not_negative[i]], 0.0).variable);
-        assert_refuses_parameter(&parameter_names[not_negative[i]], -1e-300);
+        assert_null(create_with(range_of(not_negative[i]), 0.0).variable);
+        assert_refuses_parameter(range_of(not_negative[i]), -1e-300);
     }
 }
 
@@ -112,7 +91,6 @@ TEST(minimum_length_may_not_exceed_the_free_length) {
 /* 0 is another law, and not the end of this one. */
 TEST(a_friction_may_fall_at_once_but_not_within_next_to_nothing) {
     tdmf_parameters parameters = tdmf_default_parameters();
-    char text[256];
     parameters.body.mass = 80.0;
     parameters.leg.stiffness = 20480.0; /* k/m is 256/s2 */
     parameters.leg.free_length = 0.5;
@@ -121,7 +99,7 @@ TEST(a_friction_may_fall_at_once_but_not_within_next_to_nothing) {
     parameters.ground.stribeck_velocity = 5e-324;
     const tdmf_refusal refusal = tdmf_model_create(&model, &parameters);
     assert_string_equal(refusal.variable, "ground.stribeck_velocity");
-    assert_string_equal(tdmf_refusal_text(&refusal, text, sizeof text),
+    assert_refusal_text(refusal,
                         "ground.stribeck_velocity = 4.94065646e-324 m/s is refused: allowed from 8e-11 to "
                         "1e+09 m/s (or 0)");
     parameters.ground.stribeck_velocity = 0.0;
@@ -143,30 +121,24 @@ TEST(scales_follow_from_the_parameters) {
 
 /* ---- inputs and starts ------------------------------------------------------------------------------ */
 
-static tdmf_refusal check_friction(double friction) {
+static tdmf_refusal check_input(const tdmf_range *range, double value) {
     tdmf_inputs inputs = tdmf_default_inputs();
-    inputs.ground.friction = friction;
-    return tdmf_check_inputs(&inputs);
-}
-
-static tdmf_refusal check_torque(double torque) {
-    tdmf_inputs inputs = tdmf_default_inputs();
-    inputs.hip.external_torque = torque;
+    memcpy((char *)&inputs + range->offset, &value, sizeof value);
     return tdmf_check_inputs(&inputs);
 }
 
 TEST(inputs_have_ranges) {
-    static const double never[] = {(double)NAN, (double)INFINITY, -(double)INFINITY};
-    for (int i = 0; i < 3; ++i) {
-        assert_string_equal(check_friction(never[i]).variable, "ground.friction");
-        assert_string_equal(check_torque(never[i]).variable, "hip.external_torque");
+    for (int i = 0; i < TDMF_INPUT_COUNT; ++i) {
+        const tdmf_range *range = &tdmf_input_ranges[i];
+        const double bad[] = {NAN, INFINITY, -INFINITY, nextafter(range->minimum, -DBL_MAX),
+                              nextafter(range->maximum, DBL_MAX)};
+        for (size_t k = 0; k < COUNT_OF(bad); ++k) {
+            assert_string_equal(check_input(range, bad[k]).variable, range->name);
+        }
+        assert_null(check_input(range, range->minimum).variable);
+        assert_null(check_input(range, range->maximum).variable);
+        assert_true((range->minimum == 0.0) == (strcmp(range->name, "ground.friction") == 0));
     }
-    const tdmf_refusal range = check_friction(-1e-300);
-    assert_string_equal(range.variable, "ground.friction");
-    assert_null(check_friction(0.0).variable);
-    assert_null(check_friction(range.maximum).variable);
-    assert_non_null(check_friction(nextafter(range.maximum, DBL_MAX)).variable);
-    assert_null(check_torque(-1.0).variable);
 }
 
 static void assert_refusal(const tdmf_refusal *refusal, const char *variable, const char *bound_by,
@@ -200,15 +172,9 @@ static void assert_refuses_start(int element, double value, const char *variable
 }
 
 TEST(every_state_has_a_range) {
-    static const char *const names[TDMF_MECHANICAL_COUNT] = {"foot.x",          "foot.y",        "leg.length",
-                                                             "leg.angle",       "foot.vx",       "foot.vy",
-                                                             "leg.length_rate", "leg.angle_rate"};
-    for (int i = 0; i < TDMF_MECHANICAL_COUNT; ++i) {
-        assert_refuses_start(i, (double)NAN, names[i]);
-        assert_refuses_start(i, (double)INFINITY, names[i]);
-        assert_refuses_start(i, -(double)INFINITY, names[i]);
-        assert_refuses_start(i, -1e300, names[i]);
-        assert_refuses_start(i, 1e300, names[i]);
+    static const double bad[] = {NAN, INFINITY, -INFINITY, -1e300, 1e300};
+    for (int i = 0; i < 5 * TDMF_MECHANICAL_COUNT; ++i) {
+        assert_refuses_start(i / 5, bad[i % 5], tdmf_state_ranges[i / 5].name);
     }
 }
 
@@ -250,11 +216,6 @@ TEST(start_needs_a_finite_time_and_good_inputs) {
 
 /* ---- words ------------------------------------------------------------------------------------------ */
 
-static void assert_text(tdmf_refusal refusal, const char *expected) {
-    char text[256];
-    assert_string_equal(tdmf_refusal_text(&refusal, text, sizeof text), expected);
-}
-
 static const tdmf_refusal short_leg = {TDMF_OUT_OF_RANGE, "leg.length", 0, "m", 0.01, 0.05, 1e9,
                                        "leg.min_length"};
 static const char short_leg_text[] =
@@ -264,18 +225,18 @@ TEST(text_names_variable_value_and_range) {
     const tdmf_refusal friction = {TDMF_OUT_OF_RANGE, "ground.friction", 0, "1", -0.5, 0.0, 1e6, NULL};
     const tdmf_refusal mass = {TDMF_OUT_OF_RANGE, "body.mass", 0, "kg", -(double)INFINITY, 1e-9, 1e9, NULL};
     const tdmf_refusal accepted = {0};
-    assert_text(short_leg, short_leg_text);
-    assert_text(friction, "ground.friction = -0.5 is refused: allowed from 0 to 1000000");
-    assert_text(mass, "body.mass = -inf kg is refused: allowed from 1e-09 to 1e+09 kg");
-    assert_text(accepted, "accepted");
+    assert_refusal_text(short_leg, short_leg_text);
+    assert_refusal_text(friction, "ground.friction = -0.5 is refused: allowed from 0 to 1000000");
+    assert_refusal_text(mass, "body.mass = -inf kg is refused: allowed from 1e-09 to 1e+09 kg");
+    assert_refusal_text(accepted, "accepted");
 }
 
 /* Every refusal has its text, with name, value and range. NaN may be printed with a sign. */
 TEST(refusals_speak) {
     char text[256];
-    assert_text(create_with(&parameter_names[0], -2.5),
-                "body.mass = -2.5 kg is refused: allowed from 1e-09 to 1e+09 kg");
-    const tdmf_refusal no_number = create_with(&parameter_names[6], (double)NAN);
+    assert_refusal_text(create_with(range_of("body.mass"), -2.5),
+                        "body.mass = -2.5 kg is refused: allowed from 1e-09 to 1e+09 kg");
+    const tdmf_refusal no_number = create_with(range_of("gravity"), (double)NAN);
     tdmf_refusal_text(&no_number, text, sizeof text);
     assert_true(strncmp(text, "gravity = ", 10) == 0 && strstr(text, "nan m/s2 is refused") != NULL);
 }

@@ -12,25 +12,17 @@
 
 static const double long_enough = 1e3;
 
-typedef struct {
-    tdmf_solver solver;
-    tdmf_model model;
-    tdmf_inputs inputs;
-    tdmf_motion motion;
-    double section[TDMF_SECTION_COUNT];
-} scene;
-
-static scene standing_at_apex(void) {
+/* A run that stands at the apex of the default gait. */
+static simulation standing_at_apex(void) {
     const tdmf_parameters parameters = tdmf_default_parameters();
-    scene scene;
-    memset(&scene, 0, sizeof scene);
-    scene.solver = tdmf_solver_default();
-    scene.inputs = tdmf_default_inputs();
-    scene.model = accepted_model(&parameters);
-    memcpy(scene.section, &reference_gaits[DEFAULT_GAIT].apex, sizeof scene.section);
-    tdmf_section_state(SYSTEM_OF(&scene), scene.section, scene.motion.state);
-    assert_null(tdmf_start(SYSTEM_OF(&scene), &scene.motion).variable);
-    return scene;
+    const tdmf_inputs inputs = tdmf_default_inputs();
+    return simulation_from(&parameters, &inputs, (const double *)&reference_gaits[DEFAULT_GAIT].apex,
+                           tdmf_solver_default().relative_tolerance);
+}
+
+/* A copy of its section. */
+static void copy_apex(double section[TDMF_SECTION_COUNT]) {
+    memcpy(section, &reference_gaits[DEFAULT_GAIT].apex, TDMF_SECTION_COUNT * sizeof *section);
 }
 
 /* ---- contact and phase -------------------------------------------------------------------------------- */
@@ -49,50 +41,50 @@ static tdmf_mode no_mode(const tdmf_mode *mode, int which) {
     return changed;
 }
 
-typedef tdmf_outcome run(scene *scene);
+typedef tdmf_outcome run(simulation *at);
 
-static tdmf_outcome advance(scene *s) {
+static tdmf_outcome advance(simulation *s) {
     return tdmf_native_advance(&s->solver, SYSTEM_OF(s), NULL, 10.0, &s->motion);
 }
 
-static tdmf_outcome stride(scene *s) {
+static tdmf_outcome stride(simulation *s) {
     return tdmf_native_stride(&s->solver, SYSTEM_OF(s), long_enough, &s->motion).outcome;
 }
 
-static tdmf_outcome stride_varied(scene *s) {
+static tdmf_outcome stride_varied(simulation *s) {
     return tdmf_native_stride_varied(&s->solver, SYSTEM_OF(s), long_enough, &s->motion, NULL, NULL, 0)
         .outcome;
 }
 
-static tdmf_outcome by_cvode(scene *s) {
+static tdmf_outcome by_cvode(simulation *s) {
     return tdmf_cvode_advance(&s->solver, SYSTEM_OF(s), NULL, 10.0, &s->motion);
 }
 
 static run *const runs[] = {advance, stride, stride_varied, by_cvode};
 enum { RUNS = COUNT_OF(runs) };
 
-static void assert_refused(run *run, scene *scene) {
-    const tdmf_motion before = scene->motion;
-    assert_int_equal(run(scene), TDMF_REFUSED);
-    assert_memory_equal(&scene->motion, &before, sizeof before);
-    assert_int_equal(scene->solver.steps, 0);
+static void assert_refused(run *run, simulation *at) {
+    const tdmf_motion before = at->motion;
+    assert_int_equal(run(at), TDMF_REFUSED);
+    assert_memory_equal(&at->motion, &before, sizeof before);
+    assert_int_equal(at->solver.steps, 0);
 }
 
 TEST(no_solver_runs_in_a_mode_that_there_is_not_or_from_a_state_that_is_not_finite) {
     const double not_finite[] = {NAN, INFINITY, -INFINITY};
     const int count = tdmf_cvode_is_available() ? RUNS : RUNS - 1;
     for (int i = 0; i < count; ++i) {
-        scene sound = standing_at_apex();
+        simulation sound = standing_at_apex();
         assert_int_not_equal(runs[i](&sound), TDMF_REFUSED);
         for (int which = 0; which < 2 * NO_MODES; ++which) {
-            scene scene = standing_at_apex();
-            scene.motion.mode = no_mode(&scene.motion.mode, which);
-            assert_refused(runs[i], &scene);
+            simulation at = standing_at_apex();
+            at.motion.mode = no_mode(&at.motion.mode, which);
+            assert_refused(runs[i], &at);
         }
         for (int which = 0; which < 3 * TDMF_STATE_COUNT; ++which) {
-            scene scene = standing_at_apex();
-            scene.motion.state[which / 3] = not_finite[which % 3];
-            assert_refused(runs[i], &scene);
+            simulation at = standing_at_apex();
+            at.motion.state[which / 3] = not_finite[which % 3];
+            assert_refused(runs[i], &at);
         }
     }
 }
@@ -100,21 +92,21 @@ TEST(no_solver_runs_in_a_mode_that_there_is_not_or_from_a_state_that_is_not_fini
 TEST(contact_and_phase_have_to_go_together) {
     for (int contact = TDMF_CONTACT_FLIGHT; contact <= TDMF_CONTACT_GRAZE; ++contact) {
         for (int phase = TDMF_PHASE_DRIVE; phase <= TDMF_PHASE_PLACE; ++phase) {
-            scene scene = standing_at_apex();
-            scene.motion.mode.contact = (tdmf_contact_mode)contact;
-            scene.motion.mode.phase = (tdmf_hip_phase)phase;
+            simulation at = standing_at_apex();
+            at.motion.mode.contact = (tdmf_contact_mode)contact;
+            at.motion.mode.phase = (tdmf_hip_phase)phase;
             const bool of_stance = phase == TDMF_PHASE_DRIVE || phase == TDMF_PHASE_COAST;
-            if (of_stance != tdmf_is_loaded(&scene.motion.mode)) {
-                assert_refused(advance, &scene);
+            if (of_stance != tdmf_is_loaded(&at.motion.mode)) {
+                assert_refused(advance, &at);
             } else {
-                assert_int_not_equal(advance(&scene), TDMF_REFUSED);
+                assert_int_not_equal(advance(&at), TDMF_REFUSED);
             }
         }
     }
 }
 
 TEST(the_automaton_takes_nothing_in_a_mode_that_there_is_not) {
-    const scene s = standing_at_apex();
+    const simulation s = standing_at_apex();
     for (int which = 0; which < 2 * NO_MODES; ++which) {
         const tdmf_mode mode = no_mode(&s.motion.mode, which);
         tdmf_motion motion = s.motion;
@@ -139,7 +131,7 @@ TEST(the_automaton_takes_nothing_in_a_mode_that_there_is_not) {
 
 TEST(solvers_refuse_null) {
     solver_call *const solvers[] = {tdmf_native_advance, tdmf_cvode_advance};
-    const scene s = standing_at_apex();
+    const simulation s = standing_at_apex();
     tdmf_solver solver = s.solver;
     tdmf_motion motion = s.motion;
     tdmf_variation variation = {.liftoff_angle = 0.0};
@@ -162,13 +154,15 @@ TEST(solvers_refuse_null) {
 }
 
 TEST(a_log_begins_at_none) {
-    scene s = standing_at_apex();
+    simulation s = standing_at_apex();
+    double apex[TDMF_SECTION_COUNT];
+    copy_apex(apex);
     tdmf_event_log log;
     memset(&log, 0, sizeof log);
     s.solver.log = &log;
     log.count = -5;
     assert_refused(stride, &s);
-    assert_int_equal(reduced_map(&s.solver, SYSTEM_OF(&s), s.section, long_enough, false, NULL, 0).outcome,
+    assert_int_equal(reduced_map(&s.solver, SYSTEM_OF(&s), apex, long_enough, false, NULL, 0).outcome,
                      TDMF_RETURN_REFUSED);
     assert_int_equal(log.count, -5);
     log.count = INT_MAX;
@@ -189,32 +183,34 @@ static void assert_maps_refuse(tdmf_solver *solver, tdmf_system system, double *
 }
 
 TEST(maps_refuse_null) {
-    scene s = standing_at_apex();
+    simulation s = standing_at_apex();
+    double apex[TDMF_SECTION_COUNT];
+    copy_apex(apex);
     const int counts[] = {1, INT_MAX, -1};
     for (int i = 0; i < 3; ++i) {
-        assert_maps_refuse(&s.solver, SYSTEM_OF(&s), s.section, counts[i]);
+        assert_maps_refuse(&s.solver, SYSTEM_OF(&s), apex, counts[i]);
     }
     for (int missing = 0; missing < 4; ++missing) {
         tdmf_solver *solver = missing == 0 ? NULL : &s.solver;
         const tdmf_system system = {missing == 1 ? NULL : &s.model, missing == 2 ? NULL : &s.inputs};
-        double *section = missing == 3 ? NULL : s.section;
+        double *section = missing == 3 ? NULL : apex;
         assert_maps_refuse(solver, system, section, 0);
         assert_int_equal(settle(TDMF_RETURN_MAP, solver, system, 3, section), 0);
         assert_int_equal(settle(TDMF_REDUCED_MAP, solver, system, 3, section), 0);
     }
-    assert_int_equal(settle(TDMF_RETURN_MAP, &s.solver, SYSTEM_OF(&s), -3, s.section), 0);
-    assert_int_equal(settle(TDMF_REDUCED_MAP, &s.solver, SYSTEM_OF(&s), -3, s.section), 0);
+    assert_int_equal(settle(TDMF_RETURN_MAP, &s.solver, SYSTEM_OF(&s), -3, apex), 0);
+    assert_int_equal(settle(TDMF_REDUCED_MAP, &s.solver, SYSTEM_OF(&s), -3, apex), 0);
     assert_int_equal(s.solver.steps, 0);
 }
 
 TEST(refusals_name_what_is_null) {
     const tdmf_parameters parameters = tdmf_default_parameters();
-    scene s = standing_at_apex();
+    simulation s = standing_at_apex();
     char text[64];
     assert_string_equal(tdmf_model_create(NULL, &parameters).variable, "model");
     assert_string_equal(tdmf_model_create(&s.model, NULL).variable, "parameters");
     const tdmf_refusal refusal = tdmf_check_inputs(NULL);
-    assert_string_equal(tdmf_refusal_text(&refusal, text, sizeof text), "inputs is refused: it is NULL");
+    assert_refusal_text(refusal, "inputs is refused: it is NULL");
     assert_null(tdmf_refusal_text(&refusal, NULL, sizeof text));
     assert_string_equal(tdmf_start((tdmf_system){NULL, &s.inputs}, &s.motion).variable, "model");
     assert_string_equal(tdmf_start((tdmf_system){&s.model, NULL}, &s.motion).variable, "inputs");
@@ -224,18 +220,15 @@ TEST(refusals_name_what_is_null) {
 
 enum { RUNNERS = 3, STRIDES = 2 };
 
-static void assert_says(tdmf_refusal refusal, const char *expected) {
-    char text[160];
-    assert_string_equal(tdmf_refusal_text(&refusal, text, sizeof text), expected);
-}
-
 TEST(refusals_say_what_and_where) {
-    scene s = standing_at_apex();
+    simulation s = standing_at_apex();
+    double apex[TDMF_SECTION_COUNT];
+    copy_apex(apex);
     tdmf_seed seed = {.parameters = {.gravity = 0.0}};
-    tdmf_stride_request request = {.solver = &s.solver, .system = SYSTEM_OF(&s), .apex = s.section};
+    tdmf_stride_request request = {.solver = &s.solver, .system = SYSTEM_OF(&s), .apex = apex};
     tdmf_return made;
     tdmf_native_advance(&s.solver, SYSTEM_OF(&s), NULL, s.motion.time - 1.0, &s.motion);
-    assert_says(s.solver.refusal, "until = -1 s is refused: allowed from 0 to inf s");
+    assert_refusal_text(s.solver.refusal, "until = -1 s is refused: allowed from 0 to inf s");
     s.motion.state[TDMF_LEG_ANGLE] = INFINITY;
     tdmf_native_advance(&s.solver, SYSTEM_OF(&s), NULL, 1.0, &s.motion);
     assert_string_equal(s.solver.refusal.variable, "motion.state[]");
@@ -243,14 +236,14 @@ TEST(refusals_say_what_and_where) {
     request.seeds = &seed;
     request.seed_count = 3;
     tdmf_run_stride(&request, &made);
-    assert_says(made.refusal, "seed_count = 3 is refused: allowed from 0 to 2");
+    assert_refusal_text(made.refusal, "seed_count = 3 is refused: allowed from 0 to 2");
     request.seed_count = 0;
     request.map = TDMF_REDUCED_MAP;
-    request.foot_x = s.section;
+    request.foot_x = apex;
     tdmf_run_stride(&request, &made);
     assert_int_equal(made.refusal.code, TDMF_EXCLUDED);
-    assert_says(made.refusal, "foot_x is refused: the reduced map has no place of the foot");
-    s.section[TDMF_SECTION_COM_HEIGHT] = -3.0;
+    assert_refusal_text(made.refusal, "foot_x is refused: the reduced map has no place of the foot");
+    apex[TDMF_SECTION_COM_HEIGHT] = -3.0;
     request.map = TDMF_RETURN_MAP;
     request.foot_x = NULL;
     tdmf_run_stride(&request, &made);
@@ -258,21 +251,21 @@ TEST(refusals_say_what_and_where) {
     assert_string_equal(made.refusal.variable, "foot.y");
     s.solver.relative_tolerance = 1.0;
     tdmf_run_stride(&request, &made);
-    assert_says(made.refusal,
-                "solver.relative_tolerance = 1 is refused: allowed from 0 to 1 (both excluded)");
+    assert_refusal_text(made.refusal,
+                        "solver.relative_tolerance = 1 is refused: allowed from 0 to 1 (both excluded)");
 
     crowd *crowd = make_crowd(RUNNERS, STRIDES, 1e-9);
     crowd->case_of[1] = -7;
-    assert_says(tdmf_run_ensemble(&crowd->ensemble, crowd->ends, NULL),
-                "case_of[1] = -7 is refused: allowed from 0 to 2");
+    assert_refusal_text(tdmf_run_ensemble(&crowd->ensemble, crowd->ends, NULL),
+                        "case_of[1] = -7 is refused: allowed from 0 to 2");
     crowd->case_of[1] = 1;
     crowd->ensemble.instructions = TDMF_INSTRUCTIONS_COUNT;
-    assert_says(tdmf_run_ensemble(&crowd->ensemble, crowd->ends, NULL),
-                "instructions: this processor or this build does not have them");
+    assert_refusal_text(tdmf_run_ensemble(&crowd->ensemble, crowd->ends, NULL),
+                        "instructions: this processor or this build does not have them");
     crowd->ensemble.instructions = TDMF_BEST_INSTRUCTIONS;
     crowd->cases[2].rules.roughness = -0.5;
-    assert_says(tdmf_run_ensemble(&crowd->ensemble, crowd->ends, NULL),
-                "cases[2].rules.roughness = -0.5 is refused: allowed from 0 to 1.79769313e+308");
+    assert_refusal_text(tdmf_run_ensemble(&crowd->ensemble, crowd->ends, NULL),
+                        "cases[2].rules.roughness = -0.5 is refused: allowed from 0 to 1.79769313e+308");
 }
 
 static void pages_take_all_seeds(void) {
@@ -486,19 +479,21 @@ TEST(threads_are_no_more_than_runners) {
 /* ---- buffers that are the same ------------------------------------------------------------------------ */
 
 TEST(in_place_gives_the_same) {
-    const scene s = standing_at_apex();
+    const simulation s = standing_at_apex();
+    double apex[TDMF_SECTION_COUNT];
+    copy_apex(apex);
     double apart[TDMF_STATE_COUNT], in_place[TDMF_STATE_COUNT];
-    tdmf_section_state(SYSTEM_OF(&s), s.section, apart);
+    tdmf_section_state(SYSTEM_OF(&s), apex, apart);
     for (int at = 0; at + TDMF_SECTION_COUNT <= TDMF_STATE_COUNT; ++at) {
         memset(in_place, 0, sizeof in_place);
-        memcpy(in_place + at, s.section, sizeof s.section);
+        memcpy(in_place + at, apex, sizeof apex);
         tdmf_section_state(SYSTEM_OF(&s), in_place + at, in_place);
         assert_memory_equal(in_place, apart, sizeof apart);
     }
-    tdmf_reduced_state(SYSTEM_OF(&s), s.section, apart);
+    tdmf_reduced_state(SYSTEM_OF(&s), apex, apart);
     for (int at = 0; at + TDMF_REDUCED_COUNT <= TDMF_STATE_COUNT; ++at) {
         memset(in_place, 0, sizeof in_place);
-        memcpy(in_place + at, s.section, TDMF_REDUCED_COUNT * sizeof *in_place);
+        memcpy(in_place + at, apex, TDMF_REDUCED_COUNT * sizeof *in_place);
         tdmf_reduced_state(SYSTEM_OF(&s), in_place + at, in_place);
         assert_memory_equal(in_place, apart, sizeof apart);
     }

@@ -105,49 +105,6 @@ enum { RUNNERS = sample_of(300), STRIDES = 12 };
 
 static const uint64_t seed = 7;
 
-/* Strides that began with a new line waiting, and those of them in which it came into force. */
-typedef struct {
-    int waited, passed;
-} waits;
-
-/* The native solver with the ground set at each apex. Returns the strides made. */
-static int run_over_steps(const crowd *crowd, int number, tdmf_motion *motion, waits *seen) {
-    tdmf_solver solver = solver_to(crowd->ensemble.relative_tolerance);
-    tdmf_inputs inputs = crowd->cases[0].inputs;
-    motion->time = 0.0;
-    tdmf_section_state((tdmf_system){&crowd->models[0], &inputs}, crowd->starts[number], motion->state);
-    assert_null(tdmf_start((tdmf_system){&crowd->models[0], &inputs}, motion).variable);
-    for (int stride = 0; stride < STRIDES; ++stride) {
-        inputs.ground.height +=
-            crowd->cases[0].rules.roughness * tdmf_ground_step(seed, (uint64_t)number, (uint32_t)stride);
-        tdmf_resolve((tdmf_system){&crowd->models[0], &inputs}, motion);
-        const bool waits = motion->mode.ground.height != inputs.ground.height;
-        seen->waited += waits;
-        if (!tdmf_native_stride(&solver, (tdmf_system){&crowd->models[0], &inputs}, motion->time + 1e4,
-                                motion)
-                 .closed) {
-            return stride;
-        }
-        if (motion->mode.ground.height != inputs.ground.height) {
-            return stride + 1;
-        }
-        seen->passed += waits;
-    }
-    return STRIDES;
-}
-
-static void assert_same_strides(const tdmf_ensemble_end *end, const tdmf_motion *motion, int strides) {
-    assert_int_equal(end->strides, strides);
-    if (strides == STRIDES) {
-        assert_int_equal(end->word_code, motion->record.stride.word_code);
-        assert_close(end->time, motion->record.apex.time, 1e-5);
-        assert_close(end->apex[TDMF_SECTION_COM_HEIGHT], motion->record.apex.com_height, 1e-7);
-        assert_close(end->apex[TDMF_SECTION_COM_SPEED], motion->record.apex.com_speed, 1e-7);
-    } else {
-        assert_int_equal(end->fate, TDMF_FATE_FELL);
-    }
-}
-
 /* Runners whose foot hangs low and swings forward at the apex, over steps as high as the foot. */
 static crowd *gather_before_high_steps(double push) {
     random_source source = {11};
@@ -176,28 +133,30 @@ static void assert_same_last_apex(const tdmf_ensemble_end *end, const tdmf_motio
 /* There is no push, one that lightens the runner, or one that weighs it down. */
 TEST(runners_whose_ground_waits_meet_it_alike_in_all_lanes) {
     static const double pushes[] = {0.0, 2e-3, -2e-3};
-    static tdmf_motion motions[RUNNERS];
-    int strides[RUNNERS];
-    waits seen = {0};
+    strides_by_hand *by_hand = allocate(RUNNERS, sizeof *by_hand);
+    int waited = 0, passed = 0;
     for (int push = 0; push < 3; ++push) {
         int compared = 0;
         crowd *crowd = gather_before_high_steps(pushes[push]);
+        note_strides(crowd, STRIDES);
         for (int i = 0; i < RUNNERS; ++i) {
-            strides[i] = run_over_steps(crowd, i, &motions[i], &seen);
+            stride_by_hand(crowd, i, NULL, NULL, &by_hand[i]);
+            waited += by_hand[i].waited;
+            passed += by_hand[i].passed;
         }
         FOR_INSTRUCTIONS(set) {
             run_crowd(crowd, set);
             for (int i = 0; i < RUNNERS; ++i) {
-                assert_same_strides(&crowd->ends[i], &motions[i], strides[i]);
-                if (strides[i] > 0) {
-                    assert_same_last_apex(&crowd->ends[i], &motions[i]);
+                assert_strides_by_hand(crowd, i, &by_hand[i]);
+                if (by_hand[i].closed > 0) {
+                    assert_same_last_apex(&crowd->ends[i], &by_hand[i].motions[by_hand[i].closed - 1]);
                     ++compared;
                 }
             }
         }
         assert_true(compared > RUNNERS * 9 / 10);
     }
-    assert_true(seen.waited > 3 * RUNNERS / 2 && seen.passed > RUNNERS);
+    assert_true(waited > 3 * RUNNERS / 2 && passed > RUNNERS);
 }
 
 TEST(refuses_a_roughness_that_is_none) {
