@@ -29,11 +29,11 @@ ANSWERS(get_indicators, (void *instance, double indicators[], size_t count),
 ANSWERS(get_nominals, (void *instance, double nominals[], size_t count),
         FMI(GetNominalsOfContinuousStates)(instance, nominals, count))
 ANSWERS(save, (void *instance, void **saved), FMI_STATE(Get, )(instance, saved))
-ANSWERS(restore, (void *instance, void *saved), FMI_STATE(Set, )(instance, saved))
+ANSWERS(set_saved, (void *instance, void *saved), FMI_STATE(Set, )(instance, saved))
 ANSWERS(free_saved, (void *instance, void **saved), FMI_STATE(Free, )(instance, saved))
 ANSWERS(measure, (void *instance, void *saved, size_t *size),
         FMI_STATE(Serialized, Size)(instance, saved, size))
-ANSWERS(serialize, (void *instance, void *saved, unsigned char bytes[], size_t size),
+ANSWERS(write_saved, (void *instance, void *saved, unsigned char bytes[], size_t size),
         FMI_STATE(Serialize, )(instance, saved, (FMI(Byte) *)bytes, size))
 ANSWERS(deserialize, (void *instance, const unsigned char bytes[], size_t size, void **saved),
         FMI_STATE(Deserialize, )(instance, (const FMI(Byte) *)bytes, size, saved))
@@ -68,8 +68,8 @@ const fmi_interface FMI() = {.kinds = FMI_KINDS,
                              .directional_derivative = directional_derivative,
                              .output_derivative = output_derivative,
                              .save = save,
-                             .restore = restore,
+                             .restore = set_saved,
                              .free_saved = free_saved,
                              .measure = measure,
-                             .serialize = serialize,
+                             .serialize = write_saved,
                              .deserialize = deserialize};

@@ -155,22 +155,21 @@ void step_by(const fmi_interface *fmi, void *instance, double step) {
 
 /* ---- saved states ------------------------------------------------------------------------------------- */
 
-size_t save_bytes(const fmi_interface *fmi, void *instance, unsigned char bytes[SERIALIZED_BYTES]) {
+serialized serialize(const fmi_interface *fmi, void *instance) {
+    serialized state = {.size = 0};
     void *saved = NULL;
-    size_t size = 0;
     assert_int_equal(fmi->save(instance, &saved), FMI_OK);
-    assert_int_equal(fmi->measure(instance, saved, &size), FMI_OK);
-    assert_true(size <= SERIALIZED_BYTES);
-    assert_int_equal(fmi->serialize(instance, saved, bytes, size), FMI_OK);
+    assert_int_equal(fmi->measure(instance, saved, &state.size), FMI_OK);
+    assert_true(state.size <= sizeof state.bytes);
+    assert_int_equal(fmi->serialize(instance, saved, state.bytes, state.size), FMI_OK);
     assert_int_equal(fmi->free_saved(instance, &saved), FMI_OK);
     assert_null(saved);
-    return size;
+    return state;
 }
 
-fmi_status restore_bytes(const fmi_interface *fmi, void *instance,
-                         const unsigned char bytes[SERIALIZED_BYTES], size_t size) {
+fmi_status restore(const fmi_interface *fmi, void *instance, const serialized *state) {
     void *saved = NULL;
-    fmi_status status = fmi->deserialize(instance, bytes, size, &saved);
+    fmi_status status = fmi->deserialize(instance, state->bytes, state->size, &saved);
     if (status == FMI_OK) {
         status = fmi->restore(instance, saved);
     } else {
@@ -178,4 +177,15 @@ fmi_status restore_bytes(const fmi_interface *fmi, void *instance,
     }
     assert_int_equal(fmi->free_saved(instance, &saved), FMI_OK);
     return status;
+}
+
+fmi_status copy_state(const fmi_interface *fmi, void *from, void *to) {
+    const serialized state = serialize(fmi, from);
+    return restore(fmi, to, &state);
+}
+
+void assert_state(const fmi_interface *fmi, void *instance, const serialized *expected) {
+    const serialized found = serialize(fmi, instance);
+    assert_int_equal(found.size, expected->size);
+    assert_memory_equal(found.bytes, expected->bytes, found.size);
 }

@@ -145,11 +145,22 @@ void set_apex(const fmi_interface *fmi, void *instance, const tdmf_model *model,
 /* Makes a step of Co-Simulation from the present time; asserts that it succeeds. */
 void step_by(const fmi_interface *fmi, void *instance, double step);
 
-/* Writes the saved state of an instance, and returns the number of its bytes; asserts that there is room. */
-size_t save_bytes(const fmi_interface *fmi, void *instance, unsigned char bytes[SERIALIZED_BYTES]);
+/* A saved state in bytes. */
+typedef struct {
+    unsigned char bytes[SERIALIZED_BYTES];
+    size_t size;
+} serialized;
 
-/* Restores a state from such bytes. If they are refused, no saved state is left. */
-fmi_status restore_bytes(const fmi_interface *fmi, void *instance,
-                         const unsigned char bytes[SERIALIZED_BYTES], size_t size);
+/* The state of an instance, saved; asserts that there is room. */
+serialized serialize(const fmi_interface *fmi, void *instance);
+
+/* Restores a state. If it is refused, nothing that is saved is left. */
+fmi_status restore(const fmi_interface *fmi, void *instance, const serialized *state);
+
+/* Restores in one instance what is saved of another. */
+fmi_status copy_state(const fmi_interface *fmi, void *from, void *to);
+
+/* Asserts that the state of an instance is this one, bit for bit. */
+void assert_state(const fmi_interface *fmi, void *instance, const serialized *expected);
 
 #endif

@@ -14,11 +14,6 @@
 #include <math.h>
 #include <string.h>
 
-typedef struct {
-    fmi3Byte bytes[SERIALIZED_BYTES];
-    size_t size;
-} serialized;
-
 static fmi3Instance new_that_logs(fmi_kind kind) {
     fmi3Instance instance = new_of_kind(&fmi3, kind);
     assert_int_equal(fmi3SetDebugLogging(instance, true, 0, NULL), fmi3OK);
@@ -46,21 +41,6 @@ static fmi3Instance new_past_its_event(fmi_kind kind) {
     }
     run_to(&fmi3, instance, 41.0, 41.0);
     return instance;
-}
-
-static void serialize(fmi3Instance instance, serialized *state) {
-    state->size = save_bytes(&fmi3, instance, state->bytes);
-}
-
-static fmi3Status restore(fmi3Instance instance, const serialized *state) {
-    return (fmi3Status)restore_bytes(&fmi3, instance, state->bytes, state->size);
-}
-
-static void assert_unchanged(fmi3Instance instance, const serialized *before) {
-    serialized after;
-    serialize(instance, &after);
-    assert_int_equal(before->size, after.size);
-    assert_memory_equal(before->bytes, after.bytes, after.size);
 }
 
 static void assert_numbers(fmi3Instance instance) {
@@ -116,7 +96,7 @@ static const struct {
 static void forge_everywhere(fmi_kind kind, long *refused, long *accepted) {
     serialized good, bad;
     fmi3Instance instance = new_on_its_way(kind);
-    serialize(instance, &good);
+    good = serialize(&fmi3, instance);
     for (size_t f = 0; f < COUNT_OF(forgeries); ++f) {
         /* A share of the places, others with each forgery. */
         for (size_t offset = FORGE_CONTENT + f % TDMF_SAMPLE_DIVISOR; offset + forgeries[f].size <= good.size;
@@ -124,14 +104,14 @@ static void forge_everywhere(fmi_kind kind, long *refused, long *accepted) {
             bad = good;
             memcpy(bad.bytes + offset, forgeries[f].value.bytes, forgeries[f].size);
             forge_checksum(bad.bytes, bad.size);
-            if (restore(instance, &bad) == fmi3OK) {
+            if (restore(&fmi3, instance, &bad) == FMI_OK) {
                 ++*accepted;
                 go_on(instance, kind);
-                assert_int_equal(restore(instance, &good), fmi3OK);
+                assert_int_equal(restore(&fmi3, instance, &good), FMI_OK);
             } else {
                 ++*refused;
                 assert_non_null(strstr(last_message, "refused"));
-                assert_unchanged(instance, &good);
+                assert_state(&fmi3, instance, &good);
             }
         }
     }
@@ -162,10 +142,10 @@ static void assert_refused(fmi_kind kind, serialized *state, const char *reason)
     serialized own;
     fmi3Instance instance = new_on_its_way(kind);
     forge_checksum(state->bytes, state->size);
-    serialize(instance, &own);
-    assert_int_equal(restore(instance, state), fmi3Discard);
+    own = serialize(&fmi3, instance);
+    assert_int_equal(restore(&fmi3, instance, state), FMI_DISCARD);
     assert_non_null(strstr(last_message, reason));
-    assert_unchanged(instance, &own);
+    assert_state(&fmi3, instance, &own);
     go_on(instance, kind);
 }
 
@@ -174,26 +154,21 @@ static void assert_refused(fmi_kind kind, serialized *state, const char *reason)
 static int refusals(fmi3Instance instance, fmi_kind kind, double number, double forged, const char *reason) {
     serialized good;
     int refused = 0;
-    serialize(instance, &good);
+    good = serialize(&fmi3, instance);
     for (size_t offset = FORGE_CONTENT; offset + sizeof number <= good.size; ++offset) {
         if (memcmp(good.bytes + offset, &number, sizeof number) == 0) {
             serialized bad = good;
             memcpy(bad.bytes + offset, &forged, sizeof forged);
             forge_checksum(bad.bytes, bad.size);
-            if (restore(instance, &bad) == fmi3OK) {
+            if (restore(&fmi3, instance, &bad) == FMI_OK) {
                 go_on(instance, kind);
             } else {
                 refused += strstr(last_message, reason) != NULL;
             }
-            assert_int_equal(restore(instance, &good), fmi3OK);
+            assert_int_equal(restore(&fmi3, instance, &good), FMI_OK);
         }
     }
     return refused;
-}
-
-static void save_on_its_way(fmi_kind kind, serialized *state) {
-    fmi3Instance instance = new_on_its_way(kind);
-    serialize(instance, state);
 }
 
 static void replace_number(serialized *state, double from, double to) {
@@ -205,7 +180,7 @@ TEST(a_parameter_out_of_range_is_refused) {
     fmi3Instance instance = new_stepper(false, false);
     set_values(&fmi3, instance, "body.mass=1.25 leg.min_length=0.0625");
     initialize3(instance);
-    serialize(instance, &state);
+    state = serialize(&fmi3, instance);
     serialized bad = state;
     replace_number(&bad, 1.25, -1.25);
     assert_refused(STEPS, &bad, "body.mass is out of range");
@@ -224,6 +199,8 @@ TEST(a_number_that_cannot_be_is_refused_wherever_it_stands) {
         int least;
         const char *reason;
     } cases[] = {{"ground.slope", STEPS, 1e4, 0.0, 3, "slope"},
+                 {"hip.swing_clamp", STEPS, 0.5, 0.0, 1, "hip.swing_clamp"},
+                 {"hip.swing_clamp", STEPS, 2.0, 0.0, 1, "hip.swing_clamp"},
                  {"hip.place_time", STEPS, -1.0, 0.0, 1, "hip.place_time"},
                  {"stride.word_code", STEPS, 1.0, 0.5, 1, "stride.word_code"},
                  {"event.count", STEPS, 1.0, 0.5, 1, "event.count"},
@@ -234,11 +211,13 @@ TEST(a_number_that_cannot_be_is_refused_wherever_it_stands) {
     for (size_t i = 0; i < COUNT_OF(cases); ++i) {
         step_answer step;
         fmi3Instance instance = new_that_logs(cases[i].kind);
-        set_values(&fmi3, instance, "ground.slope=-1e-3");
+        set_values(&fmi3, instance, "ground.slope=-1e-3 hip.swing_clamp=1");
         begin(&fmi3, instance, cases[i].kind);
         assert_int_equal(do_step(instance, 0.0, 56.0, &step), fmi3OK);
-        const bool is_real = fmu_variables[reference_of(cases[i].name)].type == VARIABLE_REAL;
-        const double number = is_real ? get_float(instance, cases[i].name) : get_int(instance, cases[i].name);
+        const fmu_variable_type type = fmu_variables[reference_of(cases[i].name)].type;
+        const double number = type == VARIABLE_REAL      ? get_float(instance, cases[i].name)
+                              : type == VARIABLE_BOOLEAN ? truth_of(&fmi3, instance, cases[i].name)
+                                                         : get_int(instance, cases[i].name);
         assert_true(number != 0.0);
         assert_true(refusals(instance, cases[i].kind, number, cases[i].factor * number + cases[i].added,
                              cases[i].reason) >= cases[i].least);
@@ -253,7 +232,7 @@ TEST(a_time_beyond_any_clock_is_refused) {
         step_answer step;
         fmi3Instance instance = new_on_its_way(STEPS), fresh = new_exchange(),
                      exchange = new_on_its_way(EXCHANGE);
-        serialize(instance, &state);
+        state = serialize(&fmi3, instance);
         replace_number(&state, get_float(instance, "time"), times[i]);
         assert_refused(STEPS, &state, "time is out of range");
         assert_int_equal(do_step(instance, 40.0, fabs(times[i]), &step), fmi3Error);
@@ -270,13 +249,13 @@ TEST(a_contact_in_the_air_is_refused) {
     step_answer step;
     initialize3(instance);
     assert_int_equal(do_step(instance, 0.0, 1.0, &step), fmi3OK);
-    serialize(instance, &state);
+    state = serialize(&fmi3, instance);
     const double foot_y = get_float(instance, "foot.y");
     assert_true(foot_y > 0.0);
     assert_int_equal(do_step(instance, 1.0, 12.0, &step), fmi3OK);
     assert_int_equal(get_int(instance, "contact.mode"), TDMF_CONTACT_STICK);
     const size_t offset = offset_of(&state, &foot_y, sizeof foot_y);
-    serialize(instance, &state);
+    state = serialize(&fmi3, instance);
     memcpy(state.bytes + offset, &foot_y, sizeof foot_y);
     assert_refused(STEPS, &state, "foot.y");
 }
@@ -306,7 +285,7 @@ TEST(a_state_that_contradicts_itself_is_refused) {
                  {STEPS_WITH_EVENTS, FORGE_PENDING, {2, -1}, event}};
     for (size_t i = 0; i < COUNT_OF(cases); ++i) {
         serialized state;
-        save_on_its_way(cases[i].kind, &state);
+        state = serialize(&fmi3, new_on_its_way(cases[i].kind));
         memcpy(state.bytes + cases[i].offset, cases[i].bytes, (cases[i].bytes[1] < 0 ? 1 : 2) * sizeof(int));
         assert_refused(cases[i].kind, &state, cases[i].reason);
     }
@@ -316,9 +295,9 @@ TEST(a_state_that_contradicts_itself_is_refused) {
 TEST(an_event_far_from_its_guard_is_not_pending) {
     enum { PENDING = 4, EVENT = 12 };
     serialized at_event, state;
-    save_on_its_way(STEPS_WITH_EVENTS, &at_event);
+    at_event = serialize(&fmi3, new_on_its_way(STEPS_WITH_EVENTS));
     fmi3Instance instance = new_past_its_event(STEPS_WITH_EVENTS);
-    serialize(instance, &state);
+    state = serialize(&fmi3, instance);
     assert_int_equal(state.bytes[FORGE_PENDING], 0);
     memcpy(state.bytes + FORGE_PENDING, at_event.bytes + FORGE_PENDING, PENDING);
     memcpy(state.bytes + FORGE_BEGUN + EVENT, at_event.bytes + FORGE_BEGUN + EVENT, sizeof(int32_t));
@@ -327,7 +306,7 @@ TEST(an_event_far_from_its_guard_is_not_pending) {
 
 TEST(a_run_that_has_not_begun_does_not_run) {
     serialized state;
-    serialize(new_that_logs(STEPS), &state);
+    state = serialize(&fmi3, new_that_logs(STEPS));
     const int running = STEP_MODE;
     memcpy(state.bytes + FORGE_CALL_STATE, &running, sizeof running);
     assert_refused(STEPS, &state, "the state of the call sequence");
@@ -338,7 +317,7 @@ TEST(work_that_no_run_has_done_is_refused) {
     for (int i = 0; i < 2; ++i) {
         serialized state;
         fmi3Instance instance = new_on_its_way(STEPS);
-        serialize(instance, &state);
+        state = serialize(&fmi3, instance);
         const int64_t steps = get_int(instance, "solver.steps");
         memcpy(state.bytes + offset_of(&state, &steps, sizeof steps), &claims[i], sizeof steps);
         assert_refused(STEPS, &state, "the work done");
@@ -356,7 +335,7 @@ static void fill_counter(serialized *state, fmi_kind kind, const char *name) {
         *state = good;
         memcpy(state->bytes + offset++, &full, sizeof full);
         forge_checksum(state->bytes, state->size);
-    } while (restore(instance, state) != fmi3OK || get_int(instance, name) != INT_MAX);
+    } while (restore(&fmi3, instance, state) != FMI_OK || get_int(instance, name) != INT_MAX);
 }
 
 /* The largest count there is: the run goes on as ever, and the counters stay where they are. */
@@ -366,9 +345,9 @@ TEST(a_full_counter_stays_full) {
         for (int c = 0; c < 2; ++c) {
             serialized state;
             fmi3Instance instance = new_past_its_event(kind), other = new_that_logs(kind);
-            serialize(instance, &state);
+            state = serialize(&fmi3, instance);
             fill_counter(&state, kind, counters[c]);
-            assert_int_equal(restore(other, &state), fmi3OK);
+            assert_int_equal(restore(&fmi3, other, &state), FMI_OK);
             const int events = run_to(&fmi3, instance, 100.0, 100.0);
             assert_int_equal(run_to(&fmi3, other, 100.0, 100.0), events);
             assert_true(events > 10 || kind == STEPS);
@@ -382,15 +361,15 @@ TEST(a_full_counter_stays_full) {
 /* Every byte of the header is looked at, whether or not the checksum covers it. */
 TEST(a_header_that_is_not_ours_is_refused) {
     serialized good;
-    save_on_its_way(STEPS, &good);
+    good = serialize(&fmi3, new_on_its_way(STEPS));
     fmi3Instance instance = new_on_its_way(STEPS);
     for (size_t i = 0; i < FORGE_CONTENT; ++i) {
         serialized bad = good;
         bad.bytes[i] = (fmi3Byte)(bad.bytes[i] ^ 0x10);
-        assert_int_equal(restore(instance, &bad), fmi3Discard);
+        assert_int_equal(restore(&fmi3, instance, &bad), FMI_DISCARD);
         assert_non_null(strstr(last_message, i < FORGE_BYTE_ORDER ? "another version"
                                              : i < FORGE_CHECKSUM ? "another kind of machine"
                                                                   : "changed"));
-        assert_unchanged(instance, &good);
+        assert_state(&fmi3, instance, &good);
     }
 }

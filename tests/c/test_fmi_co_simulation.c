@@ -254,22 +254,6 @@ FMI_TEST(output_derivatives_are_slopes) {
     }
 }
 
-static fmi_status start_with_cvode(const fmi_interface *fmi, void *instance) {
-    assert_int_equal(fmi->set_item(instance, reference_of("solver.method"), SOLVER_CVODE), FMI_OK);
-    set_values(fmi, instance, "solver.relative_tolerance=1e-10");
-    assert_int_equal(fmi->enter_initialization(instance, &(fmi_experiment){.start = 0.0}), FMI_OK);
-    return fmi->exit_initialization(instance);
-}
-
-FMI_TEST(cvode_is_refused_where_it_is_missing) {
-    if (tdmf_cvode_is_available()) {
-        skip();
-    }
-    void *instance = new_of_kind(fmi, STEPS);
-    assert_int_equal(start_with_cvode(fmi, instance), FMI_ERROR);
-    assert_non_null(strstr(last_message, "SUNDIALS"));
-}
-
 FMI_TEST(ten_strides_raise_no_floating_point_exception) {
 #ifdef __GLIBC__
     void *instance = begun(fmi, STEPS, "");

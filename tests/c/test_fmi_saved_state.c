@@ -21,10 +21,8 @@ static void *new_after(const fmi_interface *fmi, double step) {
 
 /* Asserts that two instances have equal saved states, and equal values of all Real variables. */
 static void assert_same(const fmi_interface *fmi, void *a, void *b) {
-    unsigned char bytes_of_a[SERIALIZED_BYTES], bytes_of_b[SERIALIZED_BYTES];
-    const size_t size = save_bytes(fmi, a, bytes_of_a);
-    assert_int_equal(save_bytes(fmi, b, bytes_of_b), size);
-    assert_memory_equal(bytes_of_a, bytes_of_b, size);
+    const serialized state_of_a = serialize(fmi, a);
+    assert_state(fmi, b, &state_of_a);
     for (uint32_t i = 0; i < fmu_variable_count; ++i) {
         double of_a, of_b;
         if (fmu_variables[i].type == VARIABLE_REAL && fmi->get_reals(a, &i, 1, &of_a) == FMI_OK) {
@@ -39,16 +37,15 @@ FMI_TEST(co_simulation_goes_on_as_if_never_stopped) {
     bool seen[TDMF_CONTACT_GRAZE + 1] = {false};
     void *straight = new_after(fmi, 11.8);
     for (int i = 0; i < 50; ++i) {
-        unsigned char bytes[SERIALIZED_BYTES];
         void *other = new_of_kind(fmi, STEPS);
         step_by(fmi, straight, 0.03);
         seen[integer_of(fmi, straight, "contact.mode")] = true;
-        const size_t size = save_bytes(fmi, straight, bytes);
-        assert_int_equal(restore_bytes(fmi, other, bytes, size), FMI_OK);
+        const serialized state = serialize(fmi, straight);
+        assert_int_equal(restore(fmi, other, &state), FMI_OK);
         assert_same(fmi, straight, other);
         step_by(fmi, other, 20.0);
         void *again = new_of_kind(fmi, STEPS);
-        assert_int_equal(restore_bytes(fmi, again, bytes, size), FMI_OK);
+        assert_int_equal(restore(fmi, again, &state), FMI_OK);
         step_by(fmi, again, 20.0);
         assert_same(fmi, other, again);
     }
@@ -100,11 +97,10 @@ FMI_TEST(an_error_is_left_by_an_older_state) {
 
 /* Both standards allow saving a failed instance; the restored instance has failed, too. */
 FMI_TEST(an_instance_after_an_error_is_saved_as_such) {
-    unsigned char bytes[SERIALIZED_BYTES];
     step_answer answer;
     void *saved = NULL;
     void *failed = new_failed(fmi, &saved), *other = new_after(fmi, 1.0);
-    assert_int_equal(restore_bytes(fmi, other, bytes, save_bytes(fmi, failed, bytes)), FMI_OK);
+    assert_int_equal(copy_state(fmi, failed, other), FMI_OK);
     assert_true(value_of(fmi, other, "hip.kd") == 2.5e13);
     assert_int_equal(fmi->do_step(other, 0.0, 1.0, &answer), FMI_ERROR);
     assert_non_null(strstr(last_message, "after an error"));
@@ -113,33 +109,28 @@ FMI_TEST(an_instance_after_an_error_is_saved_as_such) {
 
 /* ---- refusals ----------------------------------------------------------------------------------------- */
 
-static void assert_bytes_refused(const fmi_interface *fmi, const unsigned char bytes[SERIALIZED_BYTES],
-                                 size_t size, const char *reason) {
-    void *saved = NULL;
+static void assert_state_refused(const fmi_interface *fmi, const serialized *state, const char *reason) {
     void *instance = new_after(fmi, 12.0), *twin = new_after(fmi, 12.0);
-    assert_int_equal(fmi->deserialize(instance, bytes, size, &saved), FMI_DISCARD);
+    assert_int_equal(restore(fmi, instance, state), FMI_DISCARD);
     assert_non_null(strstr(last_message, reason));
-    assert_null(saved);
     assert_same(fmi, instance, twin);
     step_by(fmi, instance, 5.0);
 }
 
 FMI_TEST(bytes_that_are_no_state_are_refused) {
-    unsigned char good[SERIALIZED_BYTES] = {0};
-    unsigned char bad[SERIALIZED_BYTES];
-    void *instance = begun(fmi, STEPS, "");
-    const size_t size = save_bytes(fmi, instance, good);
-    assert_bytes_refused(fmi, good, size - 1, "bytes are no state");
-    assert_bytes_refused(fmi, good, size + 1, "bytes are no state");
-    assert_bytes_refused(fmi, good, 0, "bytes are no state");
-    memcpy(bad, good, sizeof bad);
-    bad[size - 9] ^= 1;
-    assert_bytes_refused(fmi, bad, size, "changed");
-    memcpy(bad, good, sizeof bad);
-    bad[3] ^= 1;
-    assert_bytes_refused(fmi, bad, size, "another version");
-    memset(bad, 0, sizeof bad);
-    assert_bytes_refused(fmi, bad, size, "another program");
+    const serialized good = serialize(fmi, begun(fmi, STEPS, ""));
+    const size_t wrong[] = {good.size - 1, good.size + 1, 0};
+    for (size_t i = 0; i < COUNT_OF(wrong); ++i) {
+        serialized bad = good;
+        bad.size = wrong[i];
+        assert_state_refused(fmi, &bad, "bytes are no state");
+    }
+    serialized changed = good, of_other_version = good, empty = {.size = good.size};
+    changed.bytes[good.size - 9] ^= 1;
+    of_other_version.bytes[3] ^= 1;
+    assert_state_refused(fmi, &changed, "changed");
+    assert_state_refused(fmi, &of_other_version, "another version");
+    assert_state_refused(fmi, &empty, "another program");
 }
 
 FMI_TEST(states_of_other_interfaces_are_refused) {
@@ -149,11 +140,10 @@ FMI_TEST(states_of_other_interfaces_are_refused) {
         void *instance = begun(fmi, from, "");
         assert_int_equal(fmi->save(instance, &saved), FMI_OK);
         for (fmi_kind to = EXCHANGE; to < fmi->kinds; ++to) {
-            unsigned char bytes[SERIALIZED_BYTES];
             void *other = new_of_kind(fmi, to);
             const fmi_status expected = from == to ? FMI_OK : FMI_DISCARD;
             assert_int_equal(fmi->restore(other, saved), expected);
-            assert_int_equal(restore_bytes(fmi, other, bytes, save_bytes(fmi, instance, bytes)), expected);
+            assert_int_equal(copy_state(fmi, instance, other), expected);
             assert_true(from == to || strstr(last_message, "interface") != NULL);
             refused += from != to;
         }
@@ -247,12 +237,11 @@ static void assert_changed(const fmi_interface *fmi, void *instance) {
 
 FMI_TEST(a_changed_run_is_resumed) {
     for (fmi_kind kind = EXCHANGE; kind < fmi->kinds; ++kind) {
-        unsigned char bytes[SERIALIZED_BYTES];
         void *straight = new_of_kind(fmi, kind), *resumed = new_of_kind(fmi, kind);
         change(fmi, straight);
         begin(fmi, straight, kind);
         go_on(fmi, straight, kind, 13.0);
-        assert_int_equal(restore_bytes(fmi, resumed, bytes, save_bytes(fmi, straight, bytes)), FMI_OK);
+        assert_int_equal(copy_state(fmi, straight, resumed), FMI_OK);
         assert_same(fmi, straight, resumed);
         assert_changed(fmi, resumed);
         take_left_event(fmi, straight, kind);
@@ -276,11 +265,10 @@ FMI_TEST(a_saved_state_holds_all_of_a_unit) {
         begin(fmi, straight, kind);
         go_on(fmi, straight, kind, 5.0);
         for (int i = 0; i < 50; ++i) {
-            unsigned char bytes[SERIALIZED_BYTES];
             void *restored = new_of_kind(fmi, kind);
             take_left_event(fmi, straight, kind);
             go_on(fmi, straight, kind, 0.2);
-            assert_int_equal(restore_bytes(fmi, restored, bytes, save_bytes(fmi, straight, bytes)), FMI_OK);
+            assert_int_equal(copy_state(fmi, straight, restored), FMI_OK);
             const unit_run *a = &((const instance *)straight)->run, *b = &((const instance *)restored)->run;
             assert_int_equal(a->event_is_pending, kind == STEPS_WITH_EVENTS);
             pending += a->event_is_pending;
@@ -296,14 +284,13 @@ FMI_TEST(a_state_from_before_the_start_takes_more_start_values) {
     for (int i = 0; i < 2 * (int)fmi->kinds; ++i) {
         const fmi_kind kind = (fmi_kind)(i / 2);
         const bool in_initialization = i % 2 == 1;
-        unsigned char bytes[SERIALIZED_BYTES];
         void *first = new_of_kind(fmi, kind), *second = new_of_kind(fmi, kind),
              *straight = new_of_kind(fmi, kind);
         change(fmi, first);
         if (in_initialization) {
             assert_int_equal(fmi->enter_initialization(first, &from_zero), FMI_OK);
         }
-        assert_int_equal(restore_bytes(fmi, second, bytes, save_bytes(fmi, first, bytes)), FMI_OK);
+        assert_int_equal(copy_state(fmi, first, second), FMI_OK);
         set_values(fmi, second, "hip.kp=0.12");
         if (!in_initialization) {
             assert_int_equal(fmi->enter_initialization(second, &from_zero), FMI_OK);
@@ -350,13 +337,12 @@ FMI_TEST(restoring_replaces_parameters_and_what_follows_from_them) {
 FMI_TEST(a_state_goes_on_in_the_other_version) {
     const fmi_interface *other_version = fmi == &fmi2 ? &fmi3 : &fmi2;
     for (fmi_kind kind = EXCHANGE; kind <= STEPS; ++kind) {
-        unsigned char bytes[SERIALIZED_BYTES];
         void *instance = new_of_kind(fmi, kind), *other = new_of_kind(other_version, kind);
         change(fmi, instance);
         begin(fmi, instance, kind);
         go_on(fmi, instance, kind, 13.0);
-        const size_t size = save_bytes(fmi, instance, bytes);
-        assert_int_equal(restore_bytes(other_version, other, bytes, size), FMI_OK);
+        const serialized state = serialize(fmi, instance);
+        assert_int_equal(restore(other_version, other, &state), FMI_OK);
         assert_changed(other_version, other);
         go_on(fmi, instance, kind, 20.0);
         go_on(other_version, other, kind, 20.0);
@@ -370,13 +356,12 @@ FMI_TEST(a_state_goes_on_in_the_other_version) {
 FMI_TEST(the_stop_time_is_saved) {
     static const char *const counters[] = {"solver.steps", "solver.evaluations"};
     const fmi_experiment ending = {.has_stop = true, .stop = 20.0};
-    unsigned char bytes[SERIALIZED_BYTES];
     step_answer answer;
     void *instance = new_of_kind(fmi, STEPS), *other = new_of_kind(fmi, STEPS);
     assert_int_equal(fmi->enter_initialization(instance, &ending), FMI_OK);
     assert_int_equal(fmi->exit_initialization(instance), FMI_OK);
     step_by(fmi, instance, 11.0);
-    assert_int_equal(restore_bytes(fmi, other, bytes, save_bytes(fmi, instance, bytes)), FMI_OK);
+    assert_int_equal(copy_state(fmi, instance, other), FMI_OK);
     step_by(fmi, instance, 9.0);
     step_by(fmi, other, 9.0);
     assert_same(fmi, instance, other);

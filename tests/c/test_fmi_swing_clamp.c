@@ -3,7 +3,6 @@
 
 #include "compare.h"
 #include "fmi_interface.h"
-#include "forge.h"
 #include "reference_gaits.h"
 #include "tdmf_slip/cvode.h"
 
@@ -108,29 +107,4 @@ FMI_TEST(without_it_derivatives_are_those_of_the_servo) {
             assert_close(derivative, clamp == 0 || outside ? columns[i].of_torque : 0.0, 1e-15);
         }
     }
-}
-
-/* ---- saved states -------------------------------------------------------------------------------------- */
-
-/* A clamp that is neither 0 nor 1 is refused in each place of the state. */
-FMI_TEST(a_forged_state_has_a_clamp_or_none) {
-    static const double forged[] = {0.5, 2.0}, truth = 1.0;
-    unsigned char saved[SERIALIZED_BYTES];
-    void *instance = new_rising(fmi, STEPS, true);
-    const size_t size = save_bytes(fmi, instance, saved);
-    int refused = 0;
-    for (size_t at = FORGE_CONTENT; at + sizeof truth <= size; ++at) {
-        for (int i = 0; i < 2 && memcmp(saved + at, &truth, sizeof truth) == 0; ++i) {
-            unsigned char bytes[SERIALIZED_BYTES];
-            memcpy(bytes, saved, size);
-            memcpy(bytes + at, &forged[i], sizeof forged[i]);
-            forge_checksum(bytes, size);
-            clear_messages();
-            const bool is_refused = restore_bytes(fmi, instance, bytes, size) != FMI_OK;
-            refused += is_refused && strstr(last_message, "hip.swing_clamp") != NULL;
-            assert_int_equal(restore_bytes(fmi, instance, saved, size), FMI_OK);
-            assert_true(truth_of(fmi, instance, "hip.swing_clamp"));
-        }
-    }
-    assert_true(refused >= 2);
 }
