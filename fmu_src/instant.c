@@ -138,8 +138,7 @@ bool bring_view_up_to_date(instance *fmu) {
 const char *word_text(instance *fmu, size_t word) {
     const unit_word *row = &unit_words[word];
     const double base = (double)strlen(row->alphabet);
-    double number =
-        row->is_output ? fmu->view.outputs[row->index] : fmu->view.numbers[UNIT_PARAMETER_COUNT + row->index];
+    double number = *place_of(fmu, row->storage, row->offset);
     char *text = fmu->words[word], letters[WORD_CAPACITY];
     int place = WORD_CAPACITY - 1;
     letters[place] = '\0';

@@ -19,8 +19,8 @@ typedef struct {
 
 /* A word: digits of a number in the base of its alphabet, the first letter the most significant one. */
 typedef struct {
-    bool is_output; /* else a state */
-    int index;
+    fmu_storage storage; /* of the number, as a variable's */
+    size_t offset;
     const char *alphabet;
 } unit_word;
 

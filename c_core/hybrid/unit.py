@@ -213,31 +213,23 @@ class Unit:
 
     def add_number(self, name, storage, offset, causality, variability, **more):
         """Add a variable that may be of any kind: a word and an enumeration have an Integer twin each."""
-        kind = more.get("kind", float)
-        given = (causality, variability)
+        kind, given = more.get("kind", float), (causality, variability)
+        twin = more | {"kind": int, "items": {}}
         if not isinstance(kind, tuple):
             self.add(name, storage, offset, *given, **more)
-            return
-        twin = more | {"kind": int, "items": {}}
-        if kind[0] == "letters":
-            self.words.append((storage == "OUTPUT", offset - self.first(storage), kind[1]))
-            self.add(name, storage, len(self.words) - 1, *given, **more)
-            digits, base = int(math.log(LARGEST, len(kind[1]))), len(kind[1])
+        elif kind[0] == "letters":
+            base, digits = len(kind[1]), int(math.log(LARGEST, len(kind[1])))
             letters = ", ".join(f"{letter} {digit}" for digit, letter in enumerate(kind[1]))
             order = "first letter most significant"
             twin["about"] = f"{name} in base {base}: {letters}, {order}; -1 beyond {digits} letters"
-            twin["within"] = {"least": -1}
-            twin["largest"] = len(kind[1]) ** digits - 1
+            twin |= {"within": {"least": -1}, "largest": base**digits - 1}
+            self.add(name, storage, len(self.words), *given, **more)
             self.add(f"{name}_code", storage, offset, *given, **twin)
+            self.words.append((storage, offset, kind[1]))
         else:
+            twin |= {"about": f"{name} as an Integer", "within": {"least": 1, "most": len(kind)}}
             self.add(name, storage, offset, *given, **more)
-            twin["about"] = f"{name} as an Integer"
-            twin["within"] = {"least": 1, "most": len(kind)}
             self.add(f"{name}_index", storage, offset, *given, **twin)
-
-    def first(self, storage):
-        """Offset at which a storage begins among the numbers of a run."""
-        return len(self.page.parameters) if storage == "HELD" else 0
 
     def add_all(self):
         """Add all variables."""

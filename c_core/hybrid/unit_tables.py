@@ -175,7 +175,7 @@ def tables(unit):
     guards = [f"{{UINT64_C({mask}), {into}}}," for mask, into in zip(masks, peaks, strict=True)]
     items = [(n, ", ".join(map(json.dumps, of))) for n, of in unit.enumerations.items()]
     described = [f"{{{list(page.outputs).index(n)}, names_of_{n}}}," for n in unit.enumerations]
-    words = [f"{{{c_boolean(is_output)}, {i}, {json.dumps(of)}}}," for is_output, i, of in unit.words]
+    words = [f"{{STORED_{storage}, {i}, {json.dumps(of)}}}," for storage, i, of in unit.words]
     ramps = {n: names.index(f"{n}_rate") for n in page.inputs if f"{n}_rate" in names}
     rows = {
         "unit_state unit_states": shown,

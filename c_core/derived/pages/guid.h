@@ -1,1 +1,1 @@
-#define FMU_GUID "{17fc6a3a-00a4-cf29-043c-1c1e661de0f9}"
+#define FMU_GUID "{c18064b1-6fac-113a-d4cd-ea0fdac4d5d3}"

@@ -302,7 +302,7 @@ const unit_guard unit_guards[] = {
 };
 
 const unit_word unit_words[] = {
-    {false, 24, "|-0+"},
+    {STORED_HELD, 53, "|-0+"},
 };
 
 const unit_requirement unit_requirements[] = {
