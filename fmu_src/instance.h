@@ -42,7 +42,7 @@ typedef enum {
     ANYWHERE = BEFORE_START | RUNNING | TERMINATED | FAILED
 } call_state;
 
-/* Kinds of calls, by the states of the state machine in which they are allowed: see call_begins. */
+/* Kinds of calls. calls.c has the states of the state machine in which each kind is allowed. */
 typedef enum {
     ALWAYS_ALLOWED,
     BEFORE_INITIALIZATION,
@@ -75,8 +75,7 @@ typedef struct {
     int32_t mode, shown;
 } unit_motion;
 
-/* All that saved states copy: plain data without padding. saved_state.c lists the fields with their ranges.
- */
+/* Content of a saved state: plain data without padding. saved_state.c lists the fields with their ranges. */
 typedef struct {
     int32_t interface, state; /* an interface_kind and a call_state */
     int32_t has_begun;        /* 0 or 1, as are event_is_pending and has_jumped */
@@ -90,8 +89,7 @@ typedef struct {
     double starts[UNIT_STATE_COUNT + 1]; /* start values of states in other coordinates than the world's */
     double importer_tolerance;           /* infinite if the importer gives none */
     double stop_time;                    /* infinite if the importer gives none */
-    /* The numbers when states were last changed for jumps; in Model Exchange also the rates of states then.
-     */
+    /* Numbers when states were last changed for jumps; in Model Exchange also the rates of states then. */
     double accounted[UNIT_NUMBER_COUNT + 1], accounted_rates[UNIT_STATE_COUNT + 1], accounted_time;
     int64_t work[WORK_COUNT];
     unsigned char watch[8 * (UNIT_EVENT_COUNT / 8 + 1)]; /* a watch_state for each event */

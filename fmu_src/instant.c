@@ -153,7 +153,7 @@ const char *word_text(instance *fmu, size_t word) {
     return text;
 }
 
-/* ---- what importers' solvers ask for ------------------------------------------------------------------- */
+/* ---- values for importers' solvers --------------------------------------------------------------------- */
 
 /* Before the run, the start calculates states without a start value. */
 call_status get_states(instance *fmu, double states[], size_t count) {

@@ -55,8 +55,8 @@ typedef struct {
 #define FIELD(name, type, member, least, most)                                                               \
     { name, type, offsetof(unit_run, member), sizeof(((unit_run *)0)->member), least, most }
 
-/* What a field has to do with others is checked below, as are the settings and the numbers of the motion. Any
- * value of `taken`, `above` and `late` is allowed. */
+/* Fields that must agree with others are checked below, as are the settings and the numbers of the motion.
+ * Any value of `taken`, `above` and `late` is allowed. */
 static const field fields[] = {
     FIELD("the interface", FIELD_INT32, interface, MODEL_EXCHANGE, CO_SIMULATION_WITH_EVENT_MODE),
     FIELD("whether the run has begun", FIELD_INT32, has_begun, 0, 1),
