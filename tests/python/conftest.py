@@ -4,6 +4,7 @@ import contextlib
 import dataclasses
 import fcntl
 import functools
+import importlib
 import importlib.resources
 import json
 import os
@@ -98,6 +99,30 @@ def site(site_build_ended):
     if not (folder / "live.html").is_file():
         pytest.skip("NOT TESTED: the site; ./scripts/site builds it")
     return folder
+
+
+@pytest.fixture(scope="session")
+def runner():
+    """The default runner."""
+    return tdmf_slip.Runner()
+
+
+@pytest.fixture(scope="session")
+def gait():
+    """The default runner's gait, at friction 0.6."""
+    return tdmf_slip.find_gait()
+
+
+@pytest.fixture(scope="session")
+def load_example():
+    """Imports a program of the examples by its name."""
+
+    def load(name):
+        with pytest.MonkeyPatch.context() as patch:
+            patch.syspath_prepend(ROOT / "examples")
+            return importlib.import_module(name)
+
+    return load
 
 
 @pytest.fixture(scope="session")
@@ -196,10 +221,20 @@ def _plain(result):
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
+def run(*command, **options):
+    """Runs a command to its end; returns its status and what it prints."""
+    options = {"capture_output": True, "text": True, "timeout": HANGS, **options}
+    return subprocess.run(list(map(str, command)), **options)
+
+
+def run_python(*arguments, **options):
+    """Runs Python in a process of its own."""
+    return run(sys.executable, *arguments, **options)
+
+
 def succeed(*command, **options):
     """Runs a command that has to succeed, and returns what it prints."""
-    options = {"capture_output": True, "text": True, "timeout": HANGS, **options}
-    done = subprocess.run(list(map(str, command)), **options)
+    done = run(*command, **options)
     assert done.returncode == 0, done.stdout + done.stderr
     return done.stdout
 

@@ -25,11 +25,6 @@ AXES = {"com_height": (0.9, 2.4), "com_speed": (0.3, 1.8)}
 
 
 @pytest.fixture(scope="module")
-def gait():
-    return find_gait(friction=0.6)
-
-
-@pytest.fixture(scope="module")
 def affine(gait):
     return lqr(gait, [ANGLE, TORQUE], limits={ANGLE: (0.4, 1.0), TORQUE: (0.1, 0.3)})
 

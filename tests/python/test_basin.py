@@ -21,11 +21,6 @@ VALUES = {name: np.linspace(*ends, n) for (name, ends), n in zip(AXES.items(), N
 
 
 @pytest.fixture(scope="module")
-def runner():
-    return Runner({})
-
-
-@pytest.fixture(scope="module")
 def slice_(runner):
     return basin.basin(runner, AXES, N)
 

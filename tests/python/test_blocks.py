@@ -17,7 +17,7 @@ import numpy as np
 import pytest
 import tdmf_slip
 import xarray
-from conftest import HANGS, RELEASE, assert_same
+from conftest import HANGS, RELEASE, assert_same, run_python
 from tdmf_slip import InputError, RunError
 from tdmf_slip.analysis import attraction, basin, first_passage, stride_map, sweeps
 from tdmf_slip.blocks import InTurn, run_blocks
@@ -73,11 +73,6 @@ def executors(tmp_path_factory):
             return started[kind]
 
         yield executor
-
-
-@pytest.fixture(scope="module")
-def gait():
-    return tdmf_slip.find_gait({FRICTION: 0.6})
 
 
 def lqr(gait):
@@ -284,7 +279,7 @@ def test_a_script_needs_no_guard(tmp_path):
         "found = tdmf_slip.strides_to_fall({'ground.friction': 0.2}, roughness=0.5, runners=20)\n"
         "print(found.falls > 0, {'distributed', 'concurrent.futures.process'} & set(sys.modules))\n"
     )
-    done = subprocess.run([sys.executable, script], capture_output=True, text=True, timeout=HANGS)
+    done = run_python(script)
     assert (done.returncode, done.stdout.strip()) == (0, "True set()"), done.stderr
 
 

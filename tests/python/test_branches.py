@@ -22,11 +22,6 @@ STRIDES = 4_000
 
 
 @pytest.fixture(scope="module")
-def runner():
-    return Runner({})
-
-
-@pytest.fixture(scope="module")
 def over_low_angle(runner):
     """A branch over falling angles that passes a period doubling."""
     return continue_branch(runner, {ANGLE: (0.575, 0.56)})

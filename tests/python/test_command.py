@@ -14,7 +14,7 @@ from types import SimpleNamespace
 import netCDF4
 import pytest
 import tdmf_slip
-from conftest import HANGS, unit_reference
+from conftest import HANGS, run_python, unit_reference
 from tdmf_slip.fmu import simulation
 from tdmf_slip.library import section
 from tdmf_slip.paper import reference_gaits as reference
@@ -85,8 +85,7 @@ def test_a_runner_too_stiff_is_no_fall(command):
 def test_what_cvode_complains_of_is_one_line():
     """A torque beyond reason; SUNDIALS would write past Python, so this runs in a process of its own."""
     options = ["--set", "hip.stance_torque=1e18", "--stop-time", "60", "--json"]
-    command = [sys.executable, "-m", "tdmf_slip", "simulate", *options]
-    done = subprocess.run(command, capture_output=True, text=True, timeout=HANGS)
+    done = run_python("-m", "tdmf_slip", "simulate", *options)
     assert done.returncode == 1
     assert done.stdout == ""
     warning, complaint = done.stderr.splitlines()

@@ -2,11 +2,10 @@
 
 import importlib
 import os
-import subprocess
-import sys
 
 import matplotlib
 import pytest
+from conftest import run_python
 from tdmf_slip.cli.main import module_of
 
 WORK = ("find_gait", "fit", "simulate", "validate", "basin", "viability", "sweep", "continue_branch")
@@ -42,13 +41,8 @@ def test_texts_by_latex_where_there_is_none_are_told_before_the_work(
 
 
 def test_a_backend_that_is_none_is_told(tmp_path):
-    done = subprocess.run(
-        [sys.executable, "-m", "tdmf_slip", "simulate", "--plot", "run.png"],
-        capture_output=True,
-        text=True,
-        cwd=tmp_path,
-        env={**os.environ, "MPLBACKEND": "nothing"},
-    )
+    surroundings = {"cwd": tmp_path, "env": os.environ | {"MPLBACKEND": "nothing"}}
+    done = run_python("-m", "tdmf_slip", "simulate", "--plot", "run.png", **surroundings)
     assert (done.returncode, done.stdout) == (2, "")
     (sentence,) = done.stderr.splitlines()
     assert "Matplotlib does not start" in sentence and "nothing" in sentence

@@ -5,11 +5,11 @@ import json
 import os
 import pathlib
 import re
-import subprocess
 import sys
 
 import pytest
 import tdmf_slip
+from conftest import run_python
 from tdmf_slip.terminal import encoding
 
 PACKAGE = pathlib.Path(tdmf_slip.__file__).parent
@@ -58,9 +58,7 @@ for options in json.loads(sys.argv[1]):
 
 
 def run(arguments, environment, folder):
-    return subprocess.run(
-        [sys.executable, *arguments], capture_output=True, cwd=folder, env={**os.environ, **environment}
-    )
+    return run_python(*arguments, text=False, cwd=folder, env=os.environ | environment)
 
 
 def test_the_validation_is_told_in_the_encoding_of_a_redirect_on_windows(tmp_path):

@@ -1,28 +1,17 @@
 """The examples do what they say."""
 
-import importlib
-import pathlib
-
 import numpy as np
 import pytest
 import tdmf_slip
-from conftest import release
+from conftest import ROOT, release
 from own_pages import loaded
 from tdmf_slip.fitting.measurements import measurements_of
 from tdmf_slip.fmu.simulation import run_unit
 
-EXAMPLES = pathlib.Path(__file__).resolve().parents[2] / "examples"
 
-
-@pytest.fixture
-def load(monkeypatch):
-    monkeypatch.syspath_prepend(EXAMPLES)
-    return importlib.import_module
-
-
-def test_the_runner_crosses_the_ice_and_recovers(load):
+def test_the_runner_crosses_the_ice_and_recovers(load_example):
     """The foot never sticks on ice, and the runner slows; afterwards it returns to its gait."""
-    example = load("ice_patch")
+    example = load_example("ice_patch")
     strides = example.cross(strides=40)
     assert len(strides) == 40
     on_ice = [
@@ -35,10 +24,10 @@ def test_the_runner_crosses_the_ice_and_recovers(load):
 
 
 @pytest.mark.parametrize("fmi", [2, 3])
-def test_a_runner_of_either_version_takes_start_values(load, fmi):
+def test_a_runner_of_either_version_takes_start_values(load_example, fmi):
     given = {"ground.friction": 0.43, "leg.damping": 0.21, "status.terminate_on_fall": False}
     wanted = run_unit(given, strides=2).stride
-    with load("runner").Runner(0.5, given, fmi) as runner:
+    with load_example("runner").Runner(0.5, given, fmi) as runner:
         while runner["stride.count"] < 2:
             runner.advance()
         assert runner["stride.word"] == wanted["word"] and runner["contact.mode"] == 1
@@ -46,9 +35,9 @@ def test_a_runner_of_either_version_takes_start_values(load, fmi):
         assert not runner["status.terminate_on_fall"]
 
 
-def test_a_controller_at_the_hip_holds_the_speed(load):
+def test_a_controller_at_the_hip_holds_the_speed(load_example):
     """Alone, the runner settles on a slower gait on the slippery ground; the controller drives it up."""
-    example = load("hip_controller")
+    example = load_example("hip_controller")
     target = example.speed_before()
     alone, _ = example.run()
     held, ledger = example.run(example.SpeedHolder(target))
@@ -58,8 +47,8 @@ def test_a_controller_at_the_hip_holds_the_speed(load):
     assert abs(ledger) < 1e-8
 
 
-def test_a_batch_over_a_table(load, monkeypatch, capsys, tmp_path):
-    example = load("batch")
+def test_a_batch_over_a_table(load_example, monkeypatch, capsys, tmp_path):
+    example = load_example("batch")
     monkeypatch.setattr(example, "DAMPINGS", (0.2,))
     monkeypatch.setattr(example, "FRICTIONS", (0.6, 1.2))
     monkeypatch.setattr("sys.argv", ["batch.py", "--output", str(tmp_path / "runs.nc")])
@@ -68,8 +57,8 @@ def test_a_batch_over_a_table(load, monkeypatch, capsys, tmp_path):
     assert (tmp_path / "runs.nc").exists()
 
 
-def test_the_runner_crosses_rough_ground(load, tmp_path):
-    example = load("rough_ground")
+def test_the_runner_crosses_rough_ground(load_example, tmp_path):
+    example = load_example("rough_ground")
     rows = example.run()
     assert rows.attrs["stride.count"] == example.STRIDES and not rows.fallen
     loaded = rows["contact.normal"] > 0
@@ -79,9 +68,11 @@ def test_the_runner_crosses_rough_ground(load, tmp_path):
     assert (tmp_path / "run.png").stat().st_size > 10_000
 
 
-def test_forces_of_a_treadmill_become_a_table_that_gives_back_the_runner(load, monkeypatch, capsys, tmp_path):
+def test_forces_of_a_treadmill_become_a_table_that_gives_back_the_runner(
+    load_example, monkeypatch, capsys, tmp_path
+):
     """Forces of our own runner, in the layout that is read: step frequency, contact time and peak return."""
-    example = load("treadmill_forces")
+    example = load_example("treadmill_forces")
     values = "human_running"
     gait = tdmf_slip.find_gait(values, model="reduced")
     stride = gait.stride
@@ -128,8 +119,8 @@ STEPS = np.r_[np.tile(np.r_[np.zeros(50), np.full(60, 900.0)], 12), np.zeros(50)
         (slice(0, 120), 0),  # before all steps
     ],
 )
-def test_steps_that_touch_a_gap_are_left_out_and_counted(load, tmp_path, capsys, gap, left_out):
-    example = load("treadmill_forces")
+def test_steps_that_touch_a_gap_are_left_out_and_counted(load_example, tmp_path, capsys, gap, left_out):
+    example = load_example("treadmill_forces")
     force = STEPS.copy()
     force[gap] = np.nan
     row = [float(cell) for cell in example.row_of(written(tmp_path, force))]
@@ -139,8 +130,8 @@ def test_steps_that_touch_a_gap_are_left_out_and_counted(load, tmp_path, capsys,
 
 
 @pytest.mark.parametrize("layout", [{"title": "fy"}, {"title": " FY "}, {"mark": "\ufeff"}, {"point": ","}])
-def test_forces_are_read_in_the_layouts_that_spreadsheets_write(load, tmp_path, layout):
-    example = load("treadmill_forces")
+def test_forces_are_read_in_the_layouts_that_spreadsheets_write(load_example, tmp_path, layout):
+    example = load_example("treadmill_forces")
     assert example.row_of(written(tmp_path, STEPS, **layout)) == example.row_of(written(tmp_path, STEPS))
 
 
@@ -156,8 +147,8 @@ def test_forces_are_read_in_the_layouts_that_spreadsheets_write(load, tmp_path, 
     ],
     ids=range(6),
 )
-def test_what_are_no_forces_gets_one_sentence(load, tmp_path, text, said):
-    example, path = load("treadmill_forces"), tmp_path / "RBDS001runT35forces.txt"
+def test_what_are_no_forces_gets_one_sentence(load_example, tmp_path, text, said):
+    example, path = load_example("treadmill_forces"), tmp_path / "RBDS001runT35forces.txt"
     path.write_bytes(text if isinstance(text, bytes) else text.encode())
     with pytest.raises(SystemExit, match=said):
         example.row_of(path)
@@ -168,16 +159,16 @@ def test_what_are_no_forces_gets_one_sentence(load, tmp_path, text, said):
 
 
 @release
-def test_the_tables_of_compliant_ground_on_the_results_page_are_what_the_example_prints(load):
-    example = load("compliant_ground")
-    page = (EXAMPLES.parent / "documentation" / "results.md").read_text(encoding="utf-8")
+def test_the_tables_of_compliant_ground_on_the_results_page_are_what_the_example_prints(load_example):
+    example = load_example("compliant_ground")
+    page = (ROOT / "documentation" / "results.md").read_text(encoding="utf-8")
     for table in example.tables(*example.computed(loaded(example.PAGE))):
         assert example.in_markdown(table) in page
 
 
-def test_a_bounce_of_the_force_is_no_step(load):
+def test_a_bounce_of_the_force_is_no_step(load_example):
     """A dip of a few rows within a contact, and a knock within a flight."""
-    example = load("treadmill_forces")
+    example = load_example("treadmill_forces")
     step = np.r_[np.zeros(60), np.full(70, 900.0)]
     force = np.r_[np.tile(step, 6), np.zeros(60)]
     force[100:104], force[290:293] = 0.0, 200.0

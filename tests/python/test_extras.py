@@ -1,10 +1,9 @@
 """Missing extras: other features work, and those that need one say in one sentence what to install."""
 
 import json
-import subprocess
-import sys
 
 import pytest
+from conftest import run_python
 
 PARTS = {
     "plots": {"matplotlib"},
@@ -23,9 +22,7 @@ sys.argv[:2] = ["tdmf-slip"]
 def run_without(extras, program, *arguments):
     """A program in a Python that cannot import what the extras bring."""
     missing = ",".join(name for extra in extras for name in PARTS[extra])
-    return subprocess.run(
-        [sys.executable, "-c", WITHOUT + program, missing, *arguments], capture_output=True, text=True
-    )
+    return run_python("-c", WITHOUT + program, missing, *arguments)
 
 
 COMMAND = "from tdmf_slip.__main__ import main; sys.exit(main())"

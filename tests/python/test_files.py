@@ -5,13 +5,12 @@ import os
 import pathlib
 import signal
 import stat
-import subprocess
 import sys
 import time
 
 import pytest
 import xarray
-from conftest import HANGS, some_of
+from conftest import run_python, some_of
 from tdmf_slip.files import netcdf, whole
 
 HANGUP = getattr(signal, "SIGHUP", signal.SIGTERM)  # which Windows has not
@@ -78,13 +77,8 @@ def with_full_disk(tmp_path_factory):
     commands = {writer: arguments(writer, "result") for writer in WRITERS}
     commands["figures"] = [*FIGURES, "figures"]
     folders = {name: tmp_path_factory.mktemp("full") for name in commands}
-    process = subprocess.run(
-        [sys.executable, "-c", FULL_DISK],
-        input=json.dumps({str(folders[name]): options for name, options in commands.items()}),
-        capture_output=True,
-        text=True,
-        timeout=HANGS,
-    )
+    given = json.dumps({str(folders[name]): options for name, options in commands.items()})
+    process = run_python("-c", FULL_DISK, input=given)
     assert process.returncode == 0, process.stderr
     assert "Traceback" not in process.stderr
     said = {folder: (status, text) for folder, status, text in map(json.loads, process.stdout.splitlines())}
@@ -274,8 +268,7 @@ def test_a_request_to_end_leaves_nothing_in_temporary_folders(when, number, tmp_
     (tmp_path / "temporary").mkdir()
     options = ["simulate", "--strides", "1", "--output", "run.csv", str(+number), when]
     surroundings = {"cwd": tmp_path, "env": {**os.environ, "TMPDIR": str(tmp_path / "temporary")}}
-    command = [sys.executable, "-c", TERMINATED, *options]
-    done = subprocess.run(command, capture_output=True, text=True, timeout=HANGS, **surroundings)
+    done = run_python("-c", TERMINATED, *options, **surroundings)
     assert done.returncode == 128 + number and "Traceback" not in done.stderr, done.stderr
     assert list((tmp_path / "temporary").iterdir()) == []
     left = {path.name for path in tmp_path.iterdir()}

@@ -2,14 +2,12 @@
 
 import os
 import shutil
-import subprocess
-import sys
 import zipfile
 
 import fmpy
 import pytest
 import tdmf_slip
-from conftest import QUANTITIES, RELEASE, unit_reference
+from conftest import QUANTITIES, RELEASE, run_python, unit_reference
 
 REFERENCE = unit_reference()
 PAIRS = [(3, "clang"), (2, "clang"), (2, "gcc"), (3, "gcc")]
@@ -45,13 +43,8 @@ def compiled(request, tmp_path_factory):
         toolchain = unit.parent / "toolchain.cmake"
         toolchain.write_text(WITHOUT_OPTIMISATION, encoding="utf-8")
         variables["CMAKE_TOOLCHAIN_FILE"] = str(toolchain)
-    done = subprocess.run(
-        [sys.executable, "-m", "fmpy", "compile", str(unit), "--all-warnings"],
-        capture_output=True,
-        text=True,
-        env=variables,
-        cwd=unit.parent,
-    )
+    options = {"env": variables, "cwd": unit.parent}
+    done = run_python("-m", "fmpy", "compile", unit, "--all-warnings", **options)
     said = done.stdout + done.stderr
     assert done.returncode == 0 and "warning" not in said, said
     assert len(library_names(unit)) == 1
@@ -78,7 +71,7 @@ def test_cvode_is_refused_in_words(compiled):
     """The run has its own process, where the unit's message goes to FMPy's own logger."""
     program = "import fmpy, sys; fmpy.simulate_fmu(sys.argv[1], fmi_type='CoSimulation', stop_time=1.0, "
     program += f"debug_logging=True, start_values={{{SOLVER!r}: 2}})"
-    done = subprocess.run([sys.executable, "-c", program, compiled], capture_output=True, text=True)
+    done = run_python("-c", program, compiled)
     assert done.returncode != 0 and "ExitInitializationMode" in done.stderr
     assert "built without SUNDIALS" in done.stdout
 

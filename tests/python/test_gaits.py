@@ -39,11 +39,6 @@ BORDERS = {(border["from"], border["to"]): border["friction"] for border in FREE
 
 
 @pytest.fixture(scope="module")
-def runner():
-    return Runner({})
-
-
-@pytest.fixture(scope="module")
 def swept(runner):
     return sweep(runner, {FRICTION: np.geomspace(10.0, 0.05, 24)})
 

@@ -1,15 +1,13 @@
 """Series and DataFrames, which users have, where names or rows are asked for; and too large requests."""
 
 import os
-import subprocess
-import sys
 import zipfile
 
 import numpy as np
 import pandas
 import pytest
 import tdmf_slip
-from conftest import HANGS
+from conftest import run_python
 from tdmf_slip import InputError, RunError
 from tdmf_slip.fmu import batch
 from tdmf_slip.fmu.simulation import run_unit
@@ -101,7 +99,7 @@ def test_measurements_of_a_table_have_gaps_as_a_file_has():
 
 def test_pandas_is_not_loaded_for_what_needs_it_not():
     program = "import sys, tdmf_slip; tdmf_slip.find_gait({'gravity': 0.01}); print('pandas' in sys.modules)"
-    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=HANGS)
+    done = run_python("-c", program)
     assert done.stdout.strip() == "False", done.stderr
 
 
@@ -121,13 +119,8 @@ def test_a_missing_or_broken_library_is_told_by_the_command(tmp_path, content):
     path = tmp_path / "library.so"
     if content is not None:
         path.write_bytes(content)
-    done = subprocess.run(
-        [sys.executable, "-m", "tdmf_slip", "gait", "--friction", "0.6"],
-        capture_output=True,
-        text=True,
-        timeout=HANGS,
-        env={**os.environ, "TDMF_SLIP_LIBRARY": str(path)},
-    )
+    library = os.environ | {"TDMF_SLIP_LIBRARY": str(path)}
+    done = run_python("-m", "tdmf_slip", "gait", "--friction", "0.6", env=library)
     assert done.returncode == 2 and done.stdout == ""
     (sentence,) = done.stderr.splitlines()
     assert str(path) in sentence and "install the package with pip" in sentence

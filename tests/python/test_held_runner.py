@@ -1,24 +1,22 @@
 """The runner in a bigger system: an SSP description of it and a controller, run by two tools."""
 
 import graphlib
-import importlib
 import io
 import pathlib
 import re
 import shutil
-import subprocess
 import sys
 import zipfile
 
 import fmpy.ssp
 import numpy as np
 import pytest
+from conftest import succeed
 from fmpy.fmi2 import FMU2Slave
 from fmpy.ssp.simulation import simulate_ssp
 from fmpy.validation import validate_fmu
 from lxml import etree
 
-EXAMPLES = pathlib.Path(__file__).resolve().parents[2] / "examples"
 STEP, STOP_TIME = 0.1, 150.0
 pytestmark = pytest.mark.skipif(shutil.which("cmake") is None, reason="CMake is not installed")
 
@@ -39,21 +37,19 @@ numpy.save(rows, fmpy.simulate_fmu(unit, stop_time=float(stop_time), output_inte
 
 
 @pytest.fixture(scope="module")
-def example():
-    sys.path.insert(0, str(EXAMPLES))
-    yield importlib.import_module("held_runner")
-    sys.path.remove(str(EXAMPLES))
+def held(load_example):
+    return load_example("held_runner")
 
 
 @pytest.fixture(scope="module")
-def system(example, tmp_path_factory):
-    return example.build(tmp_path_factory.mktemp("system"))
+def system(held, tmp_path_factory):
+    return held.build(tmp_path_factory.mktemp("system"))
 
 
 @pytest.fixture(scope="module")
-def expected(example):
+def expected(held):
     """The library's run: time, position, leg angle, speed and touchdown angle after each step."""
-    return np.array(example.by_communication(STEP, STOP_TIME))
+    return np.array(held.by_communication(STEP, STOP_TIME))
 
 
 def test_the_controller_is_a_sound_unit(system):
@@ -72,11 +68,10 @@ def test_a_container_runs_the_system_as_the_library(system, expected, tmp_path):
     pytest.importorskip("fmu_manipulation_toolbox", exc_type=ImportError)
     shutil.copy(system, tmp_path)
     command = [sys.executable, "-c", CONTAINER, "-container", f"{system.name}:{STEP}", "-fmu-directory", "."]
-    subprocess.run(command, cwd=tmp_path, check=True, capture_output=True)
+    succeed(*command, cwd=tmp_path)
     unit = str(tmp_path / system.with_suffix(".fmu").name)
     table = tmp_path / "rows.npy"
-    arguments = map(str, (unit, table, STOP_TIME, STEP))
-    subprocess.run([sys.executable, "-c", RUN, *arguments], check=True, capture_output=True)
+    succeed(sys.executable, "-c", RUN, unit, table, STOP_TIME, STEP)
     rows = np.load(table)[1:]
     count = min(len(rows), len(expected))
     assert count > 1490
@@ -159,11 +154,11 @@ def test_the_controller_s_angle_follows_from_no_input_but_by_a_step(system, tmp_
     assert angles == pytest.approx([0.0, 0.0, 0.05, 0.05, -0.04], abs=1e-15)
 
 
-def test_the_speed_is_held(example):
+def test_the_speed_is_held(held):
     """The speed without the controller is 1.0609."""
-    assert example.by_communication(STEP, 400.0)[-1][3] == pytest.approx(example.WANTED_SPEED, abs=1e-4)
+    assert held.by_communication(STEP, 400.0)[-1][3] == pytest.approx(held.WANTED_SPEED, abs=1e-4)
 
 
-def test_waiting_for_a_communication_point_costs_in_proportion_to_the_step(example):
-    coarse, fine = (example.cost_of_delay(step, 200.0) for step in (0.1, 0.01))
+def test_waiting_for_a_communication_point_costs_in_proportion_to_the_step(held):
+    coarse, fine = (held.cost_of_delay(step, 200.0) for step in (0.1, 0.01))
     assert 5 < coarse / fine < 20 and coarse < 1e-4

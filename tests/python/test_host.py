@@ -1,6 +1,5 @@
 """A library leaves its host alone: other users of FMPy, signal handlers, threads, settings of libraries."""
 
-import subprocess
 import sys
 
 import fmpy.simulation
@@ -8,7 +7,7 @@ import fmpy.sundials
 import numpy as np
 import pytest
 import tdmf_slip
-from conftest import HANGS
+from conftest import run_python
 
 TORQUE = {"hip.external_torque": ([1.0, 3.33, 7.77, 9.1], [0.0, 0.02, -0.01, 0.01])}
 
@@ -123,9 +122,7 @@ def test_the_process_stays_as_it_was(tmp_path):
     """Signal handlers, FMPy, Matplotlib, NumPy, locale, environment, threads and the like."""
     steps = [f"{use}\ncheck({what!r})" for what, use in USES.items()]
     program = "\n".join([LOOK, *steps, "print('unchanged')"])
-    done = subprocess.run(
-        [sys.executable, "-c", program], capture_output=True, text=True, timeout=HANGS, cwd=tmp_path
-    )
+    done = run_python("-c", program, cwd=tmp_path)
     assert done.stdout.splitlines()[-1:] == ["unchanged"], done.stderr
 
 
@@ -144,5 +141,5 @@ CHANGES = {
 def test_the_look_at_the_process_sees_every_change():
     changes = "\n".join(CHANGES.values())
     program = f"{LOOK}\n{changes}\nafter = look()\nprint([c for c in before if before[c] != after[c]])"
-    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=HANGS)
+    done = run_python("-c", program)
     assert done.stdout == f"{list(CHANGES)}\n", done.stderr

@@ -129,11 +129,6 @@ HOSTILE = {
 
 
 @pytest.fixture(scope="module")
-def gait():
-    return tdmf_slip.find_gait(HOME)
-
-
-@pytest.fixture(scope="module")
 def calls(gait):
     """A call of each function that does little, by what it is called."""
     law = tdmf_slip.dead_beat(gait, [ANGLE, TORQUE])

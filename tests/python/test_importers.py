@@ -8,14 +8,13 @@ they like.
 import csv
 import json
 import shutil
-import subprocess
 import sys
 
 import fmpy
 import own_pages
 import pytest
 import tdmf_slip
-from conftest import HANGS, QUANTITIES, ROOT, unit_reference
+from conftest import QUANTITIES, ROOT, run, succeed, unit_reference
 
 REFERENCE = unit_reference()
 VALUES = [REFERENCE[name] for name in QUANTITIES]
@@ -73,13 +72,13 @@ print("RESULT " + json.dumps([count, *values]), flush=True)
 
 def result_of(*command):
     """Report of a program: the number of strides, and the quantities of the last one."""
-    done = subprocess.run(list(map(str, command)), capture_output=True, text=True, timeout=HANGS)
+    done = run(*command)
     lines = [line for line in done.stdout.splitlines() if line.startswith("RESULT ")]
     assert lines, done.stdout[-2000:] + done.stderr[-2000:]
     return json.loads(lines[-1].removeprefix("RESULT "))
 
 
-def run(program, unit, description):
+def run_importer(program, unit, description):
     references = {variable.name: variable.valueReference for variable in description.modelVariables}
     names = [f"stride.{name}" for name in QUANTITIES]
     source = PROGRAM.format(program=program)
@@ -105,7 +104,7 @@ def test_strides_are_those_of_the_reference_and_of_the_engine(runner, tmp_path, 
     pytest.importorskip(module, exc_type=ImportError)
     file, wanted = runner
     unit = shutil.copy(file, tmp_path)
-    found = run(PROGRAMS[module], unit, fmpy.read_model_description(unit))
+    found = run_importer(PROGRAMS[module], unit, fmpy.read_model_description(unit))
     assert found == pytest.approx(wanted, rel=1e-8)
 
 
@@ -114,7 +113,7 @@ def test_toolbox_finds_no_fault(fmu_file):
     tool = shutil.which("fmutool", path=str(sys.prefix) + "/bin")
     if tool is None:
         pytest.skip("fmu-manipulation-toolbox is not installed")
-    done = subprocess.run([tool, "-input", fmu_file, "-check"], capture_output=True, text=True, timeout=HANGS)
+    done = run(tool, "-input", fmu_file, "-check")
     said = done.stdout + done.stderr
     assert "compliant with FMI-2.0" in said and "No semantic error" in said, said
 
@@ -143,8 +142,7 @@ def test_fmi4j_runs_ten_strides(fmu_file, description):
 
 @in_java
 def test_vdmcheck_finds_no_fault(fmu_file):
-    command = ["java", "-jar", JARS / "vdmcheck2.jar", fmu_file]
-    done = subprocess.run(command, capture_output=True, text=True, timeout=HANGS)
+    done = run("java", "-jar", JARS / "vdmcheck2.jar", fmu_file)
     assert "No errors found." in done.stdout, done.stdout[-2000:] + done.stderr[-2000:]
 
 
@@ -161,10 +159,7 @@ def rows_of(folder, fmi, interface, stop_time, *options, unit=None):
     output = folder / f"fmi{fmi}.csv"
     unit = unit or tdmf_slip.fmu_path(fmi)
     command = [FMI_SIM, "--quiet", "--model", unit, "--output-file", output, interface]
-    done = subprocess.run(
-        [*map(str, command), "-f", str(stop_time), *options], capture_output=True, text=True, timeout=HANGS
-    )
-    assert done.returncode == 0, done.stdout[-2000:] + done.stderr[-2000:]
+    succeed(*command, "-f", stop_time, *options)
     with output.open(newline="") as file:
         return list(csv.DictReader(file))
 

@@ -1,9 +1,9 @@
 """Commands and analyses load only the packages that they use."""
 
-import subprocess
 import sys
 
 import pytest
+from conftest import run_python
 from test_host import USES
 
 RUN_THE_UNIT = {"import", "simulate", "inputs", "simulate_many", "plot", "a file"}
@@ -24,7 +24,7 @@ print(tdmf_slip.load_fmu()._folder is not None)
 
 def modules_after(*arguments):
     """Modules loaded once a command is done, and True if the unit was unpacked for it."""
-    done = subprocess.run([sys.executable, "-c", PROGRAM, *arguments], capture_output=True, text=True)
+    done = run_python("-c", PROGRAM, *arguments)
     printed, unpacked = done.stdout.splitlines()[-2:]
     status, *modules = printed.split()
     assert status == "0", done.stderr
@@ -93,7 +93,7 @@ def test_no_analysis_loads_fmpy():
     """FMPy is for running the unit: nothing else waits for it, or is changed by it."""
     analyses = {name: use for name, use in USES.items() if name not in RUN_THE_UNIT}
     program = f"ANALYSES = {analyses}\n{RUN_ANALYSES}"
-    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)
+    done = run_python("-c", program)
     loaded = {
         name: set(modules) for name, *modules in (line.split("\t") for line in done.stdout.splitlines())
     }

@@ -3,11 +3,9 @@
 import json
 import os
 import shutil
-import subprocess
-import sys
 
 import pytest
-from conftest import HANGS
+from conftest import run_python, succeed
 
 PROGRAM = """
 import json, locale, sys
@@ -47,10 +45,7 @@ print(json.dumps(rows))
 
 
 def run(locale, **environment):
-    command = [sys.executable, "-c", PROGRAM, locale]
-    done = subprocess.run(
-        command, capture_output=True, text=True, timeout=HANGS, env={**os.environ, **environment}
-    )
+    done = run_python("-c", PROGRAM, locale, env=os.environ | environment)
     assert done.returncode == 0, done.stderr[-2000:]
     return json.loads(done.stdout.splitlines()[-1])
 
@@ -59,7 +54,7 @@ def test_ten_strides_are_the_same_to_the_last_bit(tmp_path):
     if shutil.which("localedef") is None or not os.path.isfile("/usr/share/i18n/locales/de_DE"):
         pytest.skip("NOT TESTED: no sources of locales; Debian's package is called locales")
     target = tmp_path / "de_DE.UTF-8"
-    subprocess.run(["localedef", "-i", "de_DE", "-f", "UTF-8", str(target)], check=True, capture_output=True)
+    succeed("localedef", "-i", "de_DE", "-f", "UTF-8", target)
     with_comma = run("de_DE.UTF-8", LOCPATH=str(tmp_path))
     assert with_comma == run("C")
     refusal, (event, stop) = with_comma[-2:]

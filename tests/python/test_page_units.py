@@ -1,12 +1,11 @@
 """FMI units of any page: one set of C sources, tables that are generated, and modelDescription.xml."""
 
-import subprocess
 from pathlib import Path
 
 import fmpy
 import numpy as np
 import pytest
-from conftest import RELEASE, some_of
+from conftest import RELEASE, some_of, succeed
 from fmpy import extract, read_model_description
 from fmpy.fmi1 import FMICallException
 from fmpy.fmi3 import FMU3Slave
@@ -361,22 +360,20 @@ def test_two_units_link_into_one_program(tmp_path):
         folder = tmp_path / model.__name__
         write_unit(model, folder)
         own = compile_unit(folder, compiler(), ["-DUNIT_IS_STATIC", "-O0"]).values()
-        listed = subprocess.run(
-            ["nm", "-g", "--defined-only", *own], capture_output=True, text=True, check=True
-        )
-        names = [line.split()[2] for line in listed.stdout.splitlines() if len(line.split()) == 3]
+        listed = map(str.split, succeed("nm", "-g", "--defined-only", *own).splitlines())
+        names = [words[2] for words in listed if len(words) == 3]
         assert len(names) > 150
         assert [name for name in names if not name.startswith(f"{model.__name__}_")] == []
         objects += own
     program, source = tmp_path / "program", Path(__file__).with_name("linked_units.c")
     command = [*compiler(), "-std=c99", "-isystem", fmi_headers(), source, *objects, "-o", program, "-lm"]
-    subprocess.run(command, check=True)
+    succeed(*command)
     given = []
     for model, name in ((Ball, "height"), (Hopper, "y")):
         description = read_model_description(units_of(model)[2])
         reference = next(v.valueReference for v in description.modelVariables if v.name == name)
         given += [description.guid, str(reference)]
-    said = subprocess.run([program, *given], capture_output=True, text=True, check=True).stdout.split()
+    said = succeed(program, *given).split()
     assert float(said[0]) == pytest.approx(ball_at(2.0)[0], abs=1e-12)
     assert float(said[1]) == pytest.approx(UnitRun(units_of(Hopper)[2], "cs").to(2.0)["y"], abs=1e-12)
 
@@ -388,12 +385,8 @@ def test_no_random_calls_crash_a_unit_or_give_nan(tmp_path):
     objects = compile_unit(tmp_path, compiler(), ["-DUNIT_IS_STATIC", "-O0", *sanitizers]).values()
     program, source = tmp_path / "program", Path(__file__).with_name("hostile_calls.c")
     command = [*compiler(), "-std=c99", *sanitizers, "-isystem", fmi_headers(), source, *objects]
-    subprocess.run([*command, "-o", program, "-lm"], check=True)
+    succeed(*command, "-o", program, "-lm")
     description = read_model_description(units_of(Hopper)[2])
-    counts = (
-        description.numberOfContinuousStates,
-        description.numberOfEventIndicators,
-        20000 if RELEASE else 1000,
-    )
-    done = subprocess.run([program, description.guid, *map(str, counts)], capture_output=True, text=True)
-    assert done.stdout == "survived\n", done.stdout + done.stderr
+    counts = description.numberOfContinuousStates, description.numberOfEventIndicators
+    runs = 20000 if RELEASE else 1000
+    assert succeed(program, description.guid, *counts, runs) == "survived\n"

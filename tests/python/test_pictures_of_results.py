@@ -21,11 +21,6 @@ from tdmf_slip.pictures.plot import PICTURES
 ANGLE, TORQUE, FRICTION = "hip.touchdown_angle", "hip.stance_torque", "ground.friction"
 
 
-@pytest.fixture(scope="module")
-def gait():
-    return tdmf_slip.find_gait({FRICTION: 0.6})
-
-
 def labels(axes):
     return axes.get_xlabel(), axes.get_ylabel()
 

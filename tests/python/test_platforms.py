@@ -6,14 +6,13 @@ Linux sees; the files for macOS and Arm Windows are read.
 
 import json
 import pathlib
-import subprocess
 import zipfile
 
 import fmpy
 import pytest
 import tdmf_slip
 from binaries import Library, arm_linux, functions_of_fmi, libraries_in, windows
-from conftest import HANGS, QUANTITIES, ROOT, unit_reference
+from conftest import QUANTITIES, ROOT, succeed, unit_reference
 from fmpy.validation import validate_fmu
 from tdmf_slip.builds import TABLE, host
 
@@ -88,11 +87,7 @@ def seen(libraries, fmi, name, build, before=(), ending="", environment=None):
     program = PLATFORMS / build / "tests/platforms" / f"importer{ending}"
     command = [*before, program, library(libraries, fmi, name), fmi, identity]
     command += [references[n] for n in ("stride.count", "stride.word", *COMPARED)]
-    done = subprocess.run(
-        list(map(str, command)), capture_output=True, text=True, env=environment, timeout=HANGS
-    )
-    assert done.returncode == 0, done.stdout + done.stderr
-    lines = [line.split() for line in done.stdout.splitlines()]
+    lines = [line.split() for line in succeed(*command, env=environment).splitlines()]
     assert [line[0] for line in lines] == ["CoSimulation", "ModelExchange"]
     return {line[0]: (line[1], [float(value) for value in line[2:]]) for line in lines}
 

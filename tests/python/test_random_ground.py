@@ -2,17 +2,12 @@
 
 import numpy as np
 import pytest
-from tdmf_slip import Batch, find_gait, stride_map, strides_to_fall
+from tdmf_slip import Batch, stride_map, strides_to_fall
 from tdmf_slip.library.engine import FATES
 from tdmf_slip.library.ground import RoughGround, correlated_weights, spectrum_weights
 
 RUNNERS, STRIDES = 24, 5
 FELL = FATES.index("fell")
-
-
-@pytest.fixture(scope="module")
-def gait():
-    return find_gait({"ground.friction": 0.6})
 
 
 def runs(gait, ground, runners=RUNNERS, strides=STRIDES, **how):

@@ -5,13 +5,11 @@ import json
 import os
 import re
 import shutil
-import subprocess
-import sys
 import tomllib
 import zipfile
 
 import pytest
-from conftest import ROOT
+from conftest import ROOT, run_python
 
 SCRIPTS = ROOT / "scripts"
 DIST = ROOT / "dist"
@@ -29,8 +27,7 @@ PAPERS = ("RELEASE_NOTES.md", f"tdmf-slip-{VERSION}.cdx.json", "recipe.yaml", "S
 
 
 def make_papers(folder, **variables):
-    command = [sys.executable, SCRIPTS / "release_files.py", folder]
-    return subprocess.run(command, capture_output=True, text=True, env=os.environ | variables)
+    return run_python(SCRIPTS / "release_files.py", folder, env=os.environ | variables)
 
 
 @pytest.fixture(scope="module")

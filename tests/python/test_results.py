@@ -51,11 +51,6 @@ MADE = {
 }
 
 
-@pytest.fixture(scope="module")
-def gait():
-    return tdmf_slip.find_gait({"ground.friction": 0.6})
-
-
 GAITS = {"sweep", "grid"}
 """Results whose gaits are one dataset, and their borders another."""
 VARIES = {

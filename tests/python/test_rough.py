@@ -1,13 +1,11 @@
 """Rough ground: runners in the engine and runs of the unit meet the same steps; how long they stay up."""
 
-import importlib
 import json
 import math
-import pathlib
 
 import numpy as np
 import pytest
-from tdmf_slip import Batch, InputError, Runner, find_gait, strides_to_fall
+from tdmf_slip import Batch, InputError, Runner, strides_to_fall
 from tdmf_slip.analysis.first_passage import FirstPassage
 from tdmf_slip.library.engine import FATES
 from tdmf_slip.library.ground import RoughGround
@@ -15,11 +13,6 @@ from tdmf_slip.library.ground import RoughGround
 RUNNERS, STRIDES = 6, 6
 GROUND = RoughGround(0.5, 5)
 FELL = FATES.index("fell")
-
-
-@pytest.fixture(scope="module")
-def gait():
-    return find_gait(Runner({"ground.friction": 0.6}))
 
 
 class Steps:
@@ -32,15 +25,14 @@ class Steps:
         return {"ground.height": next(self.heights)}
 
 
-def test_runners_meet_the_steps_that_the_unit_meets(gait, monkeypatch):
+def test_runners_meet_the_steps_that_the_unit_meets(gait, load_example):
     """The unit is driven by FMPy from apex to apex, as in the example."""
-    monkeypatch.syspath_prepend(pathlib.Path(__file__).parents[2] / "examples")
-    example = importlib.import_module("stride_feedback")
+    drive = load_example("stride_feedback").run
     batch = Batch(gait.runner, np.tile(gait.apex, (RUNNERS, 1)), GROUND, tolerance=1e-11)
     run, fallen = batch.run(STRIDES, record=True), 0
     for number in range(RUNNERS):
         law = Steps(GROUND.steps(number, STRIDES))
-        apices, _ = example.run(law, gait.start_values, strides=STRIDES)
+        apices, _ = drive(law, gait.start_values, strides=STRIDES)
         made, fell = run["strides"][number], run["fate"][number] == FELL
         assert (
             len(apices) == made + 1 or fell

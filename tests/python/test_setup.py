@@ -10,7 +10,7 @@ import tomllib
 from subprocess import DEVNULL, PIPE
 
 import pytest
-from conftest import HANGS, ROOT, succeed
+from conftest import HANGS, ROOT, run, succeed
 
 packaging = pytest.importorskip("packaging.requirements")
 utils = pytest.importorskip("packaging.utils")
@@ -225,8 +225,7 @@ def test_a_public_host_runs_all_parts_of_the_same_script():
 @POSIX_ONLY
 @pytest.mark.parametrize(("options", "more"), [((), ""), (("--release",), " platforms")])
 def test_a_part_that_there_is_not_is_refused(options, more):
-    command = [ROOT / "scripts" / "test", *options, "--only", "all"]
-    done = subprocess.run(command, capture_output=True, text=True)
+    done = run(ROOT / "scripts" / "test", *options, "--only", "all")
     assert done.returncode == 1
     assert f"--only takes one of: lint c sanitize site python{more}; it was given 'all'" in done.stderr
 

@@ -3,10 +3,10 @@
 import json
 import pathlib
 import shutil
-import subprocess
 import sys
 
 import pytest
+from conftest import succeed
 
 DOCUMENTATION = pathlib.Path(__file__).resolve().parents[2] / "documentation"
 sys.path.insert(0, str(DOCUMENTATION / "live"))
@@ -43,9 +43,7 @@ def build(folder, version, listed):
         path.write_text(f":orphan:\n\n{page} of {version}\n{40 * '='}\n", encoding="utf-8")
     own = f"version = release = {version!r}\nversions_file = {listed!r}\n"
     (sources / "conf.py").write_text(SETTINGS + own, encoding="utf-8")
-    sphinx = (sys.executable, "-m", "sphinx", "--quiet", "--fail-on-warning")
-    made = subprocess.run([*sphinx, sources, folder / version], capture_output=True, text=True)
-    assert made.returncode == 0, made.stderr
+    succeed(sys.executable, "-m", "sphinx", "--quiet", "--fail-on-warning", sources, folder / version)
 
 
 @pytest.fixture(scope="module")

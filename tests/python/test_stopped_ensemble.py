@@ -1,12 +1,11 @@
 """An interrupt from the keyboard ends a run of many runners at once, and keeps what is complete."""
 
 import signal
-import subprocess
 import sys
 
 import numpy as np
 import pytest
-from conftest import HANGS
+from conftest import succeed
 from tdmf_slip import Batch, find_gait
 from tdmf_slip.errors import StoppedError
 from tdmf_slip.library.engine import FELL, STOPPED
@@ -105,8 +104,4 @@ def test_an_interrupt_ends_runs_that_have_no_end(instructions):
 
 def test_interrupts_in_quick_succession_leave_nothing_waiting():
     """An exception in the middle of a wait of Python's `threading` could leave a lock held for ever."""
-    program = subprocess.run(
-        [sys.executable, "-c", INTERRUPTED], capture_output=True, text=True, timeout=HANGS
-    )
-    assert program.returncode == 0, program.stderr
-    assert program.stdout == "stopped 20 times\n"
+    assert succeed(sys.executable, "-c", INTERRUPTED) == "stopped 20 times\n"

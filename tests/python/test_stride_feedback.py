@@ -1,29 +1,18 @@
 """Examples that set the unit by a feedback at each apex make the strides of the library."""
 
-import importlib
-import pathlib
 import shutil
-import subprocess
 import sys
 
 import numpy as np
 import pytest
 import tdmf_slip
+from conftest import ROOT, run, succeed
 from tdmf_slip.library.batch_tables import STRIDE_FATES
 
-EXAMPLES = pathlib.Path(__file__).resolve().parents[2] / "examples"
-
 
 @pytest.fixture(scope="module")
-def example():
-    sys.path.insert(0, str(EXAMPLES))
-    yield importlib.import_module("stride_feedback")
-    sys.path.remove(str(EXAMPLES))
-
-
-@pytest.fixture(scope="module")
-def gait():
-    return tdmf_slip.find_gait()
+def feedback(load_example):
+    return load_example("stride_feedback")
 
 
 def strides_of_library(law, first, count):
@@ -39,17 +28,17 @@ def check_strides(gait, law, apices):
     assert left[0] > 0.04 and left[-1] < 1e-6 < left[2]
 
 
-def test_the_unit_driven_by_fmpy_makes_the_strides_of_the_library(example, gait):
-    law = example.law_of(gait)
-    apices, settings = example.run(law, example.pushed(gait))
-    assert len(apices) == example.STRIDES + 1 and len(settings) == example.STRIDES
+def test_the_unit_driven_by_fmpy_makes_the_strides_of_the_library(feedback, gait):
+    law = feedback.law_of(gait)
+    apices, settings = feedback.run(law, feedback.pushed(gait))
+    assert len(apices) == feedback.STRIDES + 1 and len(settings) == feedback.STRIDES
     check_strides(gait, law, apices)
 
 
-def test_a_fall_ends_the_run_of_the_unit(example, gait):
+def test_a_fall_ends_the_run_of_the_unit(feedback, gait):
     """A large push, with the ranges of the settings as the only limits, ends as in the library."""
-    law = tdmf_slip.dead_beat(gait, example.SETTINGS)
-    apices, settings = example.run(law, gait.start_values | {"foot.vx": gait.start_values["foot.vx"] + 2.0})
+    law = tdmf_slip.dead_beat(gait, feedback.SETTINGS)
+    apices, settings = feedback.run(law, gait.start_values | {"foot.vx": gait.start_values["foot.vx"] + 2.0})
     assert len(apices) == 1 and len(settings) == 1
     assert tdmf_slip.stride_map({}, apices, law=law)["fate"].item() == STRIDE_FATES.index("fell")
 
@@ -60,23 +49,20 @@ def program(fmu_file, tmp_path_factory):
     if shutil.which("cmake") is None:
         pytest.skip("CMake is not installed")
     folder = tmp_path_factory.mktemp("program")
-    configure = ["cmake", "-S", EXAMPLES / "stride_feedback", "-B", folder, f"-DRUNNER={fmu_file}"]
-    for command in ([*configure, f"-DPython3_EXECUTABLE={sys.executable}"], ["cmake", "--build", folder]):
-        done = subprocess.run(command, capture_output=True, text=True)
-        assert done.returncode == 0, done.stdout + done.stderr
+    configure = ["cmake", "-S", ROOT / "examples" / "stride_feedback", "-B", folder, f"-DRUNNER={fmu_file}"]
+    succeed(*configure, f"-DPython3_EXECUTABLE={sys.executable}")
+    succeed("cmake", "--build", folder)
     (built,) = (path for path in folder.iterdir() if path.stem == "stride_feedback" and path.is_file())
     return built
 
 
-def test_the_unit_driven_by_a_program_in_c_makes_the_strides_of_the_library(example, gait, program):
+def test_the_unit_driven_by_a_program_in_c_makes_the_strides_of_the_library(feedback, gait, program):
     """The numbers of the law in the C program are those that the Python example computes."""
-    said = subprocess.run([program], capture_output=True, text=True, check=True)
-    assert said.stderr == ""
-    header, *lines = said.stdout.splitlines()
-    names = [name.partition(".")[2] for name in example.SETTINGS]
-    assert header.split(",") == ["stride", *example.APEX, *names]
+    header, *lines = succeed(program).splitlines()
+    names = [name.partition(".")[2] for name in feedback.SETTINGS]
+    assert header.split(",") == ["stride", *feedback.APEX, *names]
     rows = np.array([[float(value) for value in line.split(",")] for line in lines])
-    law = example.law_of(gait)
+    law = feedback.law_of(gait)
     check_strides(gait, law, rows[:, 1:7])
     for row in rows:
         assert list(law.inputs_at(row[1:7]).values()) == pytest.approx(row[7:], rel=1e-9)
@@ -89,14 +75,13 @@ def test_the_program_in_c_names_what_is_not_there(program):
         ((description, "nothing.so"), "not a shared library: nothing.so"),
         ((program.with_name("CMakeCache.txt"), "nothing.so"), "not a shared library: nothing.so"),
     ):
-        done = subprocess.run([program, *arguments], capture_output=True, text=True)
+        done = run(program, *arguments)
         assert done.returncode == 1 and done.stderr.strip() == says and done.stdout == ""
 
 
-def test_a_viable_controller_keeps_the_unit_up_where_its_own_settings_do_not(example):
+def test_a_viable_controller_keeps_the_unit_up_where_its_own_settings_do_not(load_example):
     """The viable set is that of the full model; the unit makes the run."""
-    assert example is not None
-    viable = importlib.import_module("viable_controller")
+    viable = load_example("viable_controller")
     found = tdmf_slip.viability(viable.RUNNER, axes=viable.RANGES, vary=viable.CHOICE, n=32, model="full")
     gait = tdmf_slip.find_gait(viable.RUNNER)
     law = tdmf_slip.ViableController(found)

@@ -23,11 +23,6 @@ CLOSED, FELL = STRIDE_FATES.index("closed"), STRIDE_FATES.index("fell")
 
 
 @pytest.fixture(scope="module")
-def gait():
-    return find_gait(Runner({"ground.friction": 0.6}))
-
-
-@pytest.fixture(scope="module")
 def starts(gait):
     return gait.apex + np.random.default_rng(1).uniform(-0.05, 0.05, (RUNNERS, 6))
 

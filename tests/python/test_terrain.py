@@ -4,18 +4,13 @@ import json
 
 import numpy as np
 import pytest
-from tdmf_slip import AffineLaw, Batch, find_gait, stride_map, strides_to_fall
+from tdmf_slip import AffineLaw, Batch, stride_map, strides_to_fall
 from tdmf_slip.library.engine import FATES, instruction_sets
 from tdmf_slip.library.ground import RoughGround, correlated_weights, spectrum_weights
 
 FELL, UNDECIDED = FATES.index("fell"), FATES.index("undecided")
 TOUCHDOWN, LIFTOFF = 13.8292, 14.0363
 """Places where the foot of the gait at friction 0.6 first lands and lifts off, from its start, m."""
-
-
-@pytest.fixture(scope="module")
-def gait():
-    return find_gait({"ground.friction": 0.6})
 
 
 def runs(gait, ground, runners=1, strides=3, **how):

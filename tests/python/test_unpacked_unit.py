@@ -3,12 +3,11 @@
 import pathlib
 import pickle
 import shutil
-import subprocess
 import sys
 
 import pytest
 import tdmf_slip
-from conftest import HANGS
+from conftest import run_python
 from tdmf_slip.fmu.fmu import Fmu
 
 STRIDE = "assert tdmf_slip.simulate(strides=1).attrs['stride.count'] == 1"
@@ -41,14 +40,8 @@ stride()
 
 def run(program, folder, temporary):
     temporary.mkdir()
-    return subprocess.run(
-        [sys.executable, "-W", "error", "-c", program],
-        capture_output=True,
-        text=True,
-        cwd=folder,
-        env={"TMPDIR": str(temporary), "PATH": ""},
-        timeout=HANGS,
-    )
+    surroundings = {"cwd": folder, "env": {"TMPDIR": str(temporary), "PATH": ""}}
+    return run_python("-W", "error", "-c", program, **surroundings)
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="Windows has no fork")
