@@ -5,6 +5,7 @@
 
 #include "tdmf_slip/eigenvalues.h"
 
+#include <complex.h>
 #include <float.h>
 #include <math.h>
 #include <string.h>
@@ -69,17 +70,10 @@ TEST(eigenvalues_of_a_nearly_defective_matrix_are_on_a_circle) {
     assert_close(together, 0.7 * SIZE, 1e-13);
 }
 
-typedef struct {
-    double re, im;
-} complex_sum;
-
-static complex_sum sum_of_powers(const double pairs[2 * SIZE], int power) {
-    complex_sum total = {0.0, 0.0};
+static double complex sum_of_powers(const double pairs[2 * SIZE], int power) {
+    double complex total = 0.0;
     for (int i = 0; i < SIZE; ++i) {
-        const double size = pow(size_of(&pairs[2 * i]), power);
-        const double angle = power * atan2(pairs[2 * i + 1], pairs[2 * i]);
-        total.re += size * cos(angle);
-        total.im += size * sin(angle);
+        total += cpow(pairs[2 * i] + pairs[2 * i + 1] * I, power);
     }
     return total;
 }
@@ -107,10 +101,10 @@ static void assert_suit(const double matrix[SIZE * SIZE], const double pairs[2 *
     double power[SIZE * SIZE], next[SIZE * SIZE];
     memcpy(power, matrix, sizeof power);
     for (int k = 1; k <= SIZE; ++k) {
-        const complex_sum sum = sum_of_powers(pairs, k);
+        const double complex sum = sum_of_powers(pairs, k);
         const double tolerance = 1e-13 * pow(norm, k);
-        assert_close(sum.re, trace(power), tolerance);
-        assert_close(sum.im, 0.0, tolerance);
+        assert_close(creal(sum), trace(power), tolerance);
+        assert_close(cimag(sum), 0.0, tolerance);
         multiply(matrix, power, next);
         memcpy(power, next, sizeof power);
     }

@@ -2,11 +2,8 @@
  * neighbours are and however many threads there are; and it is the native solver's end. */
 #include "compare.h"
 #include "crowd.h"
-#include "extended_strides.h"
-#include "free_swing.h"
-#include "further_gaits.h"
-#include "patch_runs.h"
 #include "reference_gaits.h"
+#include "references.h"
 #include "sample.h"
 #include "scene.h"
 #include "simulation.h"

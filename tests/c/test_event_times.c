@@ -1,6 +1,6 @@
 /* Times of events: that of a guard's zero, in every solver, however weak gravity is. */
 #include "compare.h"
-#include "extended_strides.h"
+#include "references.h"
 #include "simulation.h"
 #include "system_of.h"
 

@@ -1,8 +1,8 @@
 /* Co-Simulation of either version: steps that arrive, and those that are refused. */
 #include "compare.h"
 #include "fmi_interface.h"
-#include "proved_gaits.h"
 #include "reference_gaits.h"
+#include "references.h"
 
 #include "tdmf_slip/cvode.h"
 #include "tdmf_slip/tdmf_slip.h"

@@ -1,6 +1,6 @@
 /* The runner without the clamp of (12) beside the clamped one: borders and random strides against
  * independent programs; and what a run does that goes from one law to the other. */
-#include "free_swing.h"
+#include "references.h"
 
 #include "compare.h"
 #include "random.h"

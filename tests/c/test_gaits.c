@@ -1,7 +1,7 @@
 /* The gaits of the references, published and further ones, from apex to apex by both solvers, and the return
  * map's Jacobian there. */
 #include "compare.h"
-#include "further_gaits.h"
+#include "references.h"
 #include "simulation.h"
 #include "tdmf_slip/cvode.h"
 

@@ -3,7 +3,7 @@
 #include "compare.h"
 #include "crowd.h"
 #include "differentiate.h"
-#include "patch_runs.h"
+#include "references.h"
 #include "simulation.h"
 
 #include <math.h>

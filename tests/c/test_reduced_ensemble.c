@@ -3,7 +3,7 @@
 #include "compare.h"
 #include "crowd.h"
 #include "random.h"
-#include "reduced_gaits.h"
+#include "references.h"
 #include "sample.h"
 #include "scene.h"
 #include "simulation.h"

@@ -37,25 +37,6 @@ static double step(int i) {
     return tdmf_ground_step(20261122u + (uint64_t)(i % 7), (uint64_t)(i % 1000) << 24, (uint32_t)(i / 1000));
 }
 
-/* The moments up to the sixth are 0, 1, 0, 3, 0, 15. Their estimates have the variances 1, 2, 15, 96, 945,
- * 10170 divided by the number of steps. */
-TEST(steps_have_the_moments_of_a_normal_distribution) {
-    static const double moments[] = {0.0, 1.0, 0.0, 3.0, 0.0, 15.0};
-    static const double variances[] = {1.0, 2.0, 15.0, 96.0, 945.0, 10170.0};
-    double sums[6] = {0.0};
-    for (int i = 0; i < STEPS; ++i) {
-        const double size = step(i);
-        double power = 1.0;
-        for (int n = 0; n < 6; ++n) {
-            power *= size;
-            sums[n] += power;
-        }
-    }
-    for (int n = 0; n < 6; ++n) {
-        assert_close(sums[n] / STEPS, moments[n], 4.0 * sqrt(variances[n] / STEPS));
-    }
-}
-
 /* The borders include whole numbers, where the sampler joins its pieces, and the tail. */
 TEST(steps_have_the_distribution_function_of_a_normal_one) {
     static const double borders[] = {-4.0, -3.0, -2.0, -1.5,  -1.0, -0.6, -0.01, 0.0,

@@ -1,3 +1,0 @@
-#include "extended_strides.h"
-
-#include "extended_strides_table.h"

@@ -1,3 +1,0 @@
-#include "proved_gaits.h"
-
-#include "proved_gaits_table.h"
