@@ -19,7 +19,7 @@ import tdmf_slip
 import xarray
 from conftest import HANGS, RELEASE, assert_same, run_python
 from tdmf_slip import InputError, RunError
-from tdmf_slip.analysis import attraction, basin, first_passage, stride_map, sweeps
+from tdmf_slip.analysis import attraction, basin, first_passage, sweeps
 from tdmf_slip.blocks import InTurn, run_blocks
 from tdmf_slip.cli import interrupts
 from tdmf_slip.cli import workers as options
@@ -27,6 +27,7 @@ from tdmf_slip.feedback import judgement
 from tdmf_slip.fmu import batch
 from tdmf_slip.fmu.instance import Experiment, opened
 from tdmf_slip.library.batch import Batch
+from tdmf_slip.terminal import in_blocks
 from tdmf_slip.uninterrupted import check_stop
 from tdmf_slip.viable_sets import grid
 
@@ -104,10 +105,8 @@ SIZES = (
     (basin, "STARTS_AT_ONCE", 5),
     (basin, "POINTS_AT_ONCE", 7),
     (attraction, "STARTS_AT_ONCE", 4096),  # a block's number decides what is drawn
-    (first_passage, "MIN_IN_A_BLOCK", 7),
-    (first_passage, "MAX_IN_A_BLOCK", 7),
-    (stride_map, "MAX_IN_A_BLOCK", 2),
-    (stride_map, "MIN_IN_A_BLOCK", 1),
+    (in_blocks, "MIN_RUNNERS", 1),
+    (in_blocks, "MAX_RUNNERS", 2),
     (grid, "STRIDES_IN_A_BLOCK", 1),
     (grid, "STRIDES_IN_A_CALL", 50),
 )
@@ -410,12 +409,7 @@ def test_an_interrupt_ends_a_command_and_leaves_whole_rows(function, arguments, 
     assert all(xarray.load_dataset(block)["period"].notnull().all() for block in blocks)
 
 
-def test_an_interrupt_is_delivered_once_and_where_it_is_asked_for():
-    with interrupts.deferred() as interrupt:
-        signal.raise_signal(signal.SIGINT)
-        with pytest.raises(KeyboardInterrupt):
-            interrupt.deliver()
-        interrupt.deliver()
+def test_an_interrupt_that_is_held_back_is_passed_on_once():
     with pytest.raises(KeyboardInterrupt), interrupts.deferred():
         with interrupts.deferred():
             signal.raise_signal(signal.SIGINT)

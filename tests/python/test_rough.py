@@ -77,7 +77,7 @@ def test_censoring_does_not_move_the_mean(gait):
 def test_a_mean_depends_on_the_seed_and_on_nobody_who_works(gait, monkeypatch):
     whole = strides_to_fall(gait.runner, 0.5, 200, 1, 30)
     assert strides_to_fall(gait.runner, 0.5, 200, 2, 30) != whole
-    monkeypatch.setattr("tdmf_slip.analysis.first_passage.MAX_IN_A_BLOCK", 33)
+    monkeypatch.setattr("tdmf_slip.terminal.in_blocks.MAX_RUNNERS", 33)
     assert strides_to_fall(gait.runner, 0.5, 200, 1, 30) == whole
     assert f", {whole.falls} of 200 runners fell>" in repr(whole)
 

@@ -24,7 +24,7 @@ from ..library.laws import Law, numbers_up_to
 from ..library.runner import Runner
 from ..library.settings import checked_values
 from ..record import entries
-from ..terminal.in_blocks import in_blocks, sizes_of
+from ..terminal.in_blocks import in_blocks, largest_block, sizes_of
 from ..variables.parameters import RunnerLike
 from .attraction import CONFIDENCE, NORMAL_QUANTILE
 from .ball import TOLERANCE
@@ -34,8 +34,6 @@ MAX_RUNNERS = 100_000_000
 MAX_STRIDES = 1_000_000
 STRIDES_IN_A_BLOCK = 200_000
 """Largest number of strides in a block with many runners: the library sees an interrupt between blocks."""
-MIN_IN_A_BLOCK, MAX_IN_A_BLOCK = 64, 4096
-"""Least and largest number of runners in a block; fewer would leave lanes empty."""
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -219,7 +217,7 @@ def strides_to_fall(
     max_strides = checked_whole("max_strides", max_strides, 1, MAX_STRIDES)
     runner, start = rough_start(runner, gait)
     feet = _feet(foot_x, start, runner, runners, ground.seed)
-    largest = min(MAX_IN_A_BLOCK, max(MIN_IN_A_BLOCK, STRIDES_IN_A_BLOCK // max_strides))
+    largest = largest_block(max_strides, STRIDES_IN_A_BLOCK)
     sizes = sizes_of(runners, largest)
     batches = [
         Batch(
@@ -244,7 +242,7 @@ def rough_start(runner: RunnerLike, gait: Gait | None) -> tuple[Runner, Gait]:
     runner = Runner(runner)
     if runner.reduced:
         raise InputError(
-            "runner by the reduced map is not allowed on rough ground; allowed: by the full model"
+            "runner: goes by the reduced map, which has no rough ground; allowed: by the full model"
         )
     if gait is not None:
         check_is_gait(gait, "gait")

@@ -12,9 +12,18 @@ Block = TypeVar("Block")
 Result = TypeVar("Result")
 
 
+MIN_RUNNERS, MAX_RUNNERS = 64, 4096
+"""Least and largest number of runners in a block; fewer would leave lanes empty."""
+
+
 def sizes_of(total: int, largest: int) -> list[int]:
     """Sizes of the blocks into which a total is split."""
     return [min(largest, total - first) for first in range(0, total, largest)]
+
+
+def largest_block(strides: int, at_once: int) -> int:
+    """Number of runners in a block if each makes so many strides, and a block may make `at_once` of them."""
+    return min(MAX_RUNNERS, max(MIN_RUNNERS, at_once // strides))
 
 
 @contextmanager
