@@ -29,21 +29,18 @@ SHOWN = ("period", "length", "speed", "cost_of_transport", "slip_distance", "lif
 
 @command(
     "prove",
-    option("--friction", metavar="MU"),
     option("--box", metavar="RADIUS"),
     option("--digits", kind=int, default=20, metavar="N"),
     option("--border", metavar="A:B"),
     option("--vary", metavar="NAME=A:B"),
     option("--output", kind=click.Path(path_type=Path), metavar="FILE"),
     option("--compare", is_flag=True),
-    friction=False,
     model=False,
     workers=True,
 )
 def prove_command(
     options: RunnerOptions,
     workers: Workers,
-    friction: str | None,
     box: str | None,
     digits: int,
     border: str | None,
@@ -59,8 +56,6 @@ def prove_command(
 
     Parameters
     ----------
-    friction
-        Friction coefficient of the ground; short for ground.friction.
     box
         Radius of the box of apices in which exactly one gait is proved, in units of the coordinates'
         scales, as in 1e-10.  [default: the largest of several that can be proved]
@@ -82,8 +77,6 @@ def prove_command(
             raise InputError(f"{' and '.join(pair)} are both given; allowed: one of them")
     if vary is None and (output is not None or workers.are_given):
         raise InputError("--output, --workers and --scheduler are for a range only; allowed: with --vary")
-    if friction is not None:
-        options = options.at_friction(friction)
     if border is not None:
         refuse_given(options.given, FRICTION, "--border")
     ranges = {} if vary is None else pairs_given([vary], "--vary", "NAME=A:B")

@@ -16,7 +16,7 @@ from ..variables.variable import Given, Value
 from .options import pairs_given
 
 FRICTION_OPTION = click.option(
-    "--friction", type=float, metavar="MU", help=f"Friction coefficient of the ground; short for {FRICTION}."
+    "--friction", metavar="MU", help=f"Friction coefficient of the ground; short for {FRICTION}."
 )
 SET_OPTION = click.option(
     "--set",

@@ -129,17 +129,9 @@ def prove(
         return _over(gait, vary, output, executor, progress)
     if output is not None or executor is not None:
         raise InputError("output and executor are for a range only; allowed: with vary")
-    found, values = gait_of(gait)
-    return prove_exactly(found, values, digits, box, given=isinstance(gait, Gait))
-
-
-def prove_exactly(
-    gait: Gait, values: Mapping[str, Exact], digits: int, box: Radius | None, *, given: bool
-) -> Proof:
-    """A gait whose parameters are known exactly."""
     digits = checked_whole("digits", digits, 5, MAX_DIGITS)
     asked = None if box is None else radius_of(box)
-    return _Prover(gait, values, digits, given).proof(asked)
+    return Prover(*gait_of(gait), digits, given=isinstance(gait, Gait)).proof(asked)
 
 
 def _over(
@@ -175,15 +167,16 @@ def known_digits(balls: Sequence[arb | acb]) -> int:
     return math.floor(-math.log10(worst)) if 0.0 < worst < math.inf else (MAX_DIGITS if not worst else 0)
 
 
-class _Prover:
-    """Prover of one gait."""
+class Prover:
+    """Prover of one gait, whose parameters are known exactly."""
 
-    def __init__(self, gait: Gait, values: Mapping[str, Exact], digits: int, given: bool) -> None:
+    def __init__(self, gait: Gait, values: Mapping[str, Exact], digits: int, *, given: bool = False) -> None:
+        """Keep the gait; if it is given, the box is exactly around its apex."""
         self.gait, self.values, self.digits, self.given = gait, values, digits, given
         self.parameters = Parameters(values)
         self.scales = [float(scale) for scale in gait.runner.scales]
 
-    def proof(self, asked: Fraction | None) -> Proof:
+    def proof(self, asked: Fraction | None = None) -> Proof:
         """Proof for the given box, or for the largest that is proved."""
         smallest = 0 if asked is None else math.ceil(-math.log10(asked))
         start = [arb(float(x)) for x in self.gait.apex]

@@ -162,10 +162,10 @@ def proved_ball(gait: Gait) -> Ball:
     It is small, and runs have to be followed into it at a finer tolerance.
     """
     if gait.runner.reduced:
-        raise InputError("ball proved: of the reduced map; allowed: of the full model")
+        raise InputError("ball = proved: is not for the reduced map; allowed: for the full model")
     found = prove_attraction(gait)
     if not found.proved:
-        raise RunError(f"ball proved: undecided: {found.undecided}")
+        raise RunError(f"ball = proved: no ball was proved, because this is undecided: {found.undecided}")
     scales = np.asarray(gait.runner.scales)
     rows = np.linalg.inv(np.array(found.basis)) / (np.array(found.weights) * found.norm_radius)[:, None]
     both = np.concatenate([rows.real, rows.imag])

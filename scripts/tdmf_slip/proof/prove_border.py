@@ -22,7 +22,7 @@ from .given import MAX_DIGITS, Exact, RunnerLike, exact_runner, runner_of
 from .krawczyk import COARSE_BITS, Inclusion, middle_of, refined, slopes_of, unique_box
 from .parameters import Forced, Parameters
 from .proof import Box, Proof, Proved, decimal, exactly, reported, short, text_of
-from .prove import BEYOND, BOXES, DEFAULT_DIGITS, bits_for, prove_exactly
+from .prove import BEYOND, BOXES, DEFAULT_DIGITS, Prover, bits_for
 from .starts import Starts
 from .stride import Traveller
 from .travelling_set import SetTraveller
@@ -206,7 +206,7 @@ def _sides(proof: BorderProof, runner: Runner, step: float) -> tuple[Proof, ...]
     found = []
     for value in (Fraction(middle + by, 10**decimals) for by in (-20, 20)):
         gait = periodic_gait(runner.replace({proof.name: float(value)}))
-        found.append(prove_exactly(gait, {**proof.values, proof.name: Exact(value)}, 6, None, given=False))
+        found.append(Prover(gait, {**proof.values, proof.name: Exact(value)}, 6).proof())
     return tuple(found)
 
 

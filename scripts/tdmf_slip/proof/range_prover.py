@@ -12,8 +12,9 @@ import os
 import threading
 from collections.abc import Iterator, Mapping, Sequence
 from concurrent.futures import Executor
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -159,24 +160,12 @@ PRECISION_IN_USE = threading.Lock()
 """Held by the thread that proves: FLINT has one working precision for all threads of a process."""
 
 
-@dataclass(frozen=True, eq=False)
-class Part:
-    """A part of a range: a block of work."""
-
-    runner: Runner
-    """The runner with a gait to start from."""
-    values: Mapping[str, Exact]
-    """Exact parameters."""
-    name: str
-    """Parameter that is varied."""
-    ends: tuple[Fraction, Fraction]
-    """Range of the parameter."""
-
-
-def prove_part(part: Part) -> list[Subinterval]:
-    """All subintervals of a part."""
+def prove_part(
+    runner: Runner, values: Mapping[str, Exact], name: str, ends: tuple[Fraction, Fraction]
+) -> list[Subinterval]:
+    """All subintervals of a part of a range: a block of work."""
     with PRECISION_IN_USE:
-        return list(RangeProver(part.runner, part.values, part.name).subintervals(*part.ends))
+        return list(RangeProver(runner, values, name).subintervals(*ends))
 
 
 def parts_of(begin: Fraction, end: Fraction) -> int:
@@ -211,10 +200,10 @@ def prove_range(
     }
     done = _done(output, head)
     open_ones = [part for part in parts if part not in done]
-    blocks = [Part(gait.runner, values, name, part) for part in open_ones]
+    work = partial(prove_part, gait.runner, values, name)
     executor = InTurn() if executor is None else executor
     done_before = len(parts) - len(open_ones)
-    with in_blocks(prove_part, blocks, "prove", "parts", executor, progress, done=done_before) as found:
+    with in_blocks(work, open_ones, "prove", "parts", executor, progress, done=done_before) as found:
         for number, subintervals in found:
             done[open_ones[number]] = subintervals
             _write(output, head, open_ones[number], subintervals)
