@@ -17,7 +17,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import InputError, RunError
+from ..errors import RunError, TdmfSlipError
 from ..library.gait import Gait
 from ..library.runner import Runner
 from ..library.strides import plain_stride
@@ -77,11 +77,8 @@ class Iterate(NamedTuple):
 
 
 def iterate_at(target: GaitProblem, x: Vector) -> Iterate:
-    """The iterate at a point; RunError where there is no stride."""
-    try:
-        residual, rows = target.linearize(x)
-    except InputError as problem:
-        raise RunError(str(problem)) from None
+    """The iterate at a point; TdmfSlipError where there is no stride."""
+    residual, rows = target.linearize(x)
     return Iterate(x, residual[: target.count], residual[target.count :], rows)
 
 
@@ -89,10 +86,7 @@ def _solved(
     target: GaitProblem, x: Vector, iterations: int = CLOSE_ITERATIONS, shortenings: int = CLOSE_SHORTENINGS
 ) -> Vector:
     """The point near another that solves the equations, by the shortest steps."""
-    try:
-        return solve(target, x, iterations=iterations, shortenings=shortenings, longest=LONGEST_STEP).x
-    except InputError as problem:
-        raise RunError(str(problem)) from None
+    return solve(target, x, iterations=iterations, shortenings=shortenings, longest=LONGEST_STEP).x
 
 
 def solved_from(target: GaitProblem, iterate: Iterate, steps: int = STEPS) -> tuple[Iterate, float]:
@@ -101,7 +95,7 @@ def solved_from(target: GaitProblem, iterate: Iterate, steps: int = STEPS) -> tu
     Newton's method begins at the point given. Where it fails, it is led through targets between the
     quantities of the gait and those prescribed, a share at a time.
     """
-    with contextlib.suppress(RunError):
+    with contextlib.suppress(TdmfSlipError):
         return iterate_at(target, _solved(target, iterate.x, NEWTON_ITERATIONS, SHORTENINGS)), 1.0
     way, attempts = iterate.off * target.quantity_scales, iter(range(steps))
 
@@ -111,7 +105,7 @@ def solved_from(target: GaitProblem, iterate: Iterate, steps: int = STEPS) -> tu
         return _solved(target.with_goal(target.goal + (1.0 - to) * way), x)
 
     reached = [(0.0, iterate.x)]
-    with contextlib.suppress(RunError):
+    with contextlib.suppress(TdmfSlipError):
         reached.extend(walk(iterate.x, 0.0, 1.0, advance, shortest=SHORTEST_SHARE, first=0.5))
     share, x = reached[-1]
     return (iterate_at(target, x) if share else iterate), share
@@ -144,7 +138,7 @@ def least_changed(target: GaitProblem, iterate: Iterate, begin: Iterate) -> Iter
 
         try:
             iterate, _ = halved(nearer, 1.0, SHORTEST_SHARE)
-        except RunError:
+        except TdmfSlipError:
             break
     return iterate
 
@@ -162,7 +156,7 @@ def initial_iterates(target: GaitProblem, first: Gait) -> Iterator[Iterate]:
         return _gap(plain_stride(runner, apex, target.quantities).quantities, target.goal)
 
     for gait in settled_gaits(first, target.names, partial(around, first.runner)).gaits(gap):
-        with contextlib.suppress(RunError):
+        with contextlib.suppress(TdmfSlipError):
             yield iterate_at(target, target.at(gait))
 
 
@@ -196,7 +190,7 @@ def _descended(target: GaitProblem, iterate: Iterate, longest: float, iterations
         step = _step_along(iterate, slice(None), damping, longest)
         try:
             tried = iterate_at(target, _solved(free, iterate.x + step))
-        except RunError:
+        except TdmfSlipError:
             tried = iterate
         gain = iterate.gap - tried.gap
         if gain <= 0.0:
@@ -276,7 +270,7 @@ def _helps(target: GaitProblem, name: str, other: str, gaits: tuple[Gait, Gait],
         there, share = solved_from(wider, begin, STEPS if other else TRIED_STEPS)
         if not other and there.gap > maximum:
             there = nearest_from(wider, [iterate_at(wider, wider.at(near))], LONGEST_STEPS[:1], LOOK_AHEAD)
-    except RunError:
+    except TdmfSlipError:
         return Help(name, other, np.inf, np.inf)
     left = 0.0 if share == 1.0 else np.inf if other else there.gap
     return Help(name, other, left, float(np.linalg.norm(there.x - begin.x)))
@@ -296,7 +290,7 @@ def _promising(target: GaitProblem, gaits: Sequence[Gait]) -> list[str]:
     widest = _varying(target, [*target.names, *names])
     left = dict.fromkeys(names, np.inf)
     for gait in gaits:
-        with contextlib.suppress(RunError):
+        with contextlib.suppress(TdmfSlipError):
             iterate = iterate_at(widest, widest.at(gait))
             kept = list(range(len(target.scales)))
             for further, name in enumerate(names, len(kept)):

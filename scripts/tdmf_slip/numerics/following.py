@@ -440,12 +440,7 @@ def _way_to(problem: Problem, corner: Point, found: Point) -> list[Point]:
     return []
 
 
-def halved(
-    attempt: Callable[[float], Found],
-    step: float,
-    shortest: float,
-    failures: tuple[type[Exception], ...] = (InputError, RunError),
-) -> tuple[Found, float]:
+def halved(attempt: Callable[[float], Found], step: float, shortest: float) -> tuple[Found, float]:
     """Result of an attempt with the longest of a step, its half, its quarter and so on, and that step.
 
     Where no step as long as the shortest succeeds, the error of the last attempt is raised.
@@ -453,7 +448,7 @@ def halved(
     while True:
         try:
             return attempt(step), step
-        except failures:
+        except (InputError, RunError):
             step *= 0.5
             if not abs(step) >= shortest:  # also where it is not a number
                 raise
@@ -470,9 +465,9 @@ def walk(
 ) -> Iterator[tuple[float, Known]]:
     """Results on the way from one value to another, each found from the one before.
 
-    Where `advance` raises RunError the step is halved; where it succeeds the next step is twice as long. No
-    step is shorter than the shortest, nor is what it leaves of the way; else the RunError is raised. A walk
-    that does not reach the end in `MAX_STEPS` steps raises RunError, too.
+    Where `advance` fails the step is halved; where it succeeds the next step is twice as long. No step is
+    shorter than the shortest, nor is what it leaves of the way; else the last error is raised. A walk that
+    does not reach the end in `MAX_STEPS` steps raises RunError.
     """
     at, step = begin, end - begin if first is None else first
 
@@ -486,6 +481,6 @@ def walk(
         if number == MAX_STEPS:
             raise RunError(f"{MAX_STEPS} steps from {begin:g} towards {end:g} lead no farther than to {at:g}")
         step = max(-abs(end - at), min(step, abs(end - at)))
-        (at, known), step = halved(attempt, step, shortest, (RunError,))
+        (at, known), step = halved(attempt, step, shortest)
         yield at, known
         step *= 2.0
