@@ -5,6 +5,7 @@ import datetime
 import difflib
 import os
 import reprlib
+from collections import Counter
 from collections.abc import Container, Iterable, Iterator, Sequence
 from decimal import Decimal
 from numbers import Integral, Real
@@ -163,9 +164,19 @@ def near_matches(name: object, names: Iterable[str]) -> str:
     return f"; near matches: {', '.join(near)}" if near else ""
 
 
-def check_names(given: Iterable[object], known: Sequence[str], what: str, also: Iterable[str] = ()) -> None:
+def check_names(
+    given: Iterable[object], known: Sequence[str], what: str, also: Iterable[str] = (), allowed: str = ""
+) -> None:
     """Refuse names that are not among those known, with a hint at those and others that may be meant."""
     for name in given:
         if not is_one_of(name, known):
             near = near_matches(name, (*known, *also))
-            raise InputError(f"{what}: {shown(name)} is not allowed; allowed: {', '.join(known)}{near}")
+            allowed = allowed or ", ".join(known)
+            raise InputError(f"{what}: {shown(name)} is not allowed{near}; allowed: {allowed}")
+
+
+def check_once(names: Iterable[object], what: str) -> None:
+    """Refuse a name that is given twice."""
+    twice = next((name for name, count in Counter(names).items() if count > 1), None)
+    if twice is not None:
+        raise InputError(f"{what}: {twice} is given twice; allowed: once")

@@ -4,14 +4,13 @@ Those are known by what they can do, so that neither pandas nor another library 
 """
 
 import math
-from collections import Counter
 from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence, Sized
 from typing import Any, Protocol, TypeGuard
 
 import numpy as np
 from numpy.typing import NDArray
 
-from .checks import check_size, checked_whole, number_of, reading, refusal
+from .checks import check_once, check_size, checked_whole, number_of, reading, refusal
 from .errors import InputError
 
 
@@ -47,11 +46,11 @@ def mapping_of(given: object, what: str, allowed: str) -> dict[Any, Any]:
         if isinstance(given, Mapping):
             return dict(given)
         if is_table(given):
-            _check_once(given.columns, what)
+            check_once(given.columns, what)
             return {name: np.asarray(given[name]) for name in given.columns}
         if is_series(given) and hasattr(given, "items"):
             pairs = list(given.items())
-            _check_once((name for name, _ in pairs), what)
+            check_once((name for name, _ in pairs), what)
             return dict(pairs)
     raise refusal(what, given, allowed)
 
@@ -124,12 +123,6 @@ def numbers_by(what: str, given: object, names: Sequence[str]) -> NDArray[np.flo
 def _has_labels(given: object) -> bool:
     """True for a Series with a label for each value. A list has a method called `index`, too."""
     return is_series(given) and hasattr(getattr(given, "index", None), "__iter__")
-
-
-def _check_once(names: Iterable[object], what: str) -> None:
-    twice = next((name for name, count in Counter(names).items() if count > 1), None)
-    if twice is not None:
-        raise InputError(f"{what}: {twice} is given twice; allowed: once")
 
 
 def ends_given(

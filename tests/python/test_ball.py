@@ -100,7 +100,7 @@ def test_a_ball_is_of_the_runner_under_its_law(gait, ball):
 def test_a_ball_is_made_only_where_it_saves_more_than_it_costs(gait, ball):
     assert not saves_time(gait, 400) and saves_time(gait, 128 * 128)
     assert ball_of(gait, "tested", 400) is None
-    with pytest.raises(InputError, match="of 2 coordinates; allowed: of 6"):
+    with pytest.raises(InputError, match="has 2 coordinates; allowed: 6"):
         ball_of(gait, dataclasses.replace(ball, matrix=np.eye(2)), 10)
     assert attributes_of(None) == {"ball": "none"}
     with pytest.raises(InputError, match="tested, none, or a Ball"):

@@ -336,7 +336,7 @@ REFUSED = [
             ([THRUST], "leg.thrust belongs to a thrust of 0 m at this gait, which is held at 0 and above"),
             (["leg.stiffness"], "'leg.stiffness' is not allowed; allowed: hip.stance_torque, hip.touch"),
             (["hip.touchdown"], "near matches: hip.touchdown_angle"),
-            ([ANGLE, ANGLE], "hip.touchdown_angle is named twice"),
+            ([ANGLE, ANGLE], "hip.touchdown_angle is given twice"),
             ([], "one or more in a list"),
             (ANGLE, "one or more in a list"),
         )

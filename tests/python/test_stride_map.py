@@ -229,7 +229,7 @@ def test_a_run_depends_on_its_number_and_not_on_who_works(gait, starts, monkeypa
     for name in part.data_vars:
         np.testing.assert_array_equal(part[name], whole[name][7:19], err_msg=name)
     np.testing.assert_array_equal(part["runner"], np.arange(7, 19))
-    monkeypatch.setattr(module, "MIN_IN_A_BLOCK", 11)
+    monkeypatch.setattr("tdmf_slip.terminal.in_blocks.MIN_RUNNERS", 11)
     monkeypatch.setattr(module, "STRIDES_IN_A_BLOCK", 11 * STRIDES)
     assert_same(stride_map(gait.runner, starts, **how), whole)
 
@@ -392,9 +392,9 @@ REFUSED = {
     "apices of shape (2, 5); allowed: rows of com_height": {"apices": np.ones((2, 5))},
     "strides = 0 is not allowed": {"strides": 0},
     "instructions 'fast': allowed here": {"instructions": "fast"},
-    "derivatives: on ground that steps at the apices": {"roughness": 0.1, "derivatives": ["gravity"]},
+    "derivatives: the ground steps at the apices": {"roughness": 0.1, "derivatives": ["gravity"]},
     "derivatives 'friktion' is not allowed": {"derivatives": ["friktion"]},
-    "each name once": {"derivatives": ["friction", "ground.friction"]},
+    "is given twice; allowed: once": {"derivatives": ["friction", "ground.friction"]},
     "without derivatives": {"runner": PATCH, "derivatives": ["friction"]},
 }
 

@@ -230,7 +230,7 @@ def test_states_that_lead_to_a_gait():
     cells = grid_in(found).cell_of(apices)
     strides = np.where(cells >= 0, inner.ravel()[cells], -1).reshape(len(points), -1)
     assert ((strides >= 0) & (strides <= 1)).any(axis=1).all()
-    with pytest.raises(InputError, match="no cell is as near"):
+    with pytest.raises(InputError, match="no cell is near"):
         tdmf_slip.viability(gait, **asked, gait=[40.0, 1.0])
 
 

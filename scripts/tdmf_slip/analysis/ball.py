@@ -85,7 +85,9 @@ def jacobian_under(gait: Gait, law: Law) -> NDArray[np.float64]:
     starts = gait.apex + np.concatenate([steps, -steps])
     run = Batch(gait.runner, starts, law=law, tolerance=gait.runner.tolerance).run(1)
     if (run.strides != 1).any():
-        raise InputError("law: under it strides from beside the gait's apex do not close; allowed: they do")
+        raise InputError(
+            "law: strides from beside the gait's apex do not close; allowed: a law under which they do"
+        )
     up, down = np.split(run.apex, 2)
     differences: NDArray[np.float64] = ((up - down) / (2.0 * DIFFERENCE * gait.runner.scales)[:, None]).T
     return differences
@@ -98,7 +100,7 @@ def check_attracts(gait: Gait, law: Law | None) -> None:
     if law is None:
         return
     if gait.strides > 1:
-        raise InputError(f"law: for a gait of {gait.strides} strides; allowed: of one")
+        raise InputError(f"law: the gait takes {gait.strides} strides; allowed: a gait of one stride")
     for name, value in _changed(gait, law).items():
         raise InputError(
             f"law: {name} = {value:g} at the gait's apex, where the runner has {gait.runner[name]:g}; "
@@ -267,7 +269,9 @@ def ball_of(gait: Gait, choice: Ball | str, starts: int, law: Law | None = None)
     """The ball that is asked for; a tested one only where it saves more than it costs."""
     if isinstance(choice, Ball):
         if choice.matrix.shape != (len(gait.apex),) * 2:
-            raise InputError(f"ball: of {len(choice.matrix)} coordinates; allowed: of {len(gait.apex)}")
+            raise InputError(
+                f"ball: has {len(choice.matrix)} coordinates; allowed: {len(gait.apex)}, as the gait"
+            )
         return choice
     if not is_one_of(choice, CHOICES):
         raise refusal("ball", choice, f"{', '.join(CHOICES)}, or a Ball")

@@ -267,7 +267,7 @@ def _check_refine(refine: str, law: Law | None) -> None:
     if not is_one_of(refine, REFINEMENTS):
         raise refusal("refine", refine, ", ".join(REFINEMENTS))
     if refine == PREVIEW and is_noisy(law):
-        raise InputError("refine = 'preview' with a law that has noise: allowed: 'exact'")
+        raise InputError("refine = 'preview': the law has noise; allowed: 'exact'")
 
 
 def _paint(made: Resumed, slice_: Slice, executor: Executor | None, progress: bool) -> None:

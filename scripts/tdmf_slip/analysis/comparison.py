@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ..checks import check_once
 from ..errors import InputError
 from ..given import row_of
 from ..library.gait import Gait, gaits_dataset
@@ -120,8 +121,7 @@ def _checked_hold(hold: object, model: Model) -> tuple[str, ...]:
         raise InputError(f"hold: nothing is held; allowed: {', '.join(allowed_quantities(model))}")
     for name in names:
         checked_quantity(name, "hold", model)
-        if names.count(name) > 1:
-            raise InputError(f"hold: {name} is given twice; allowed: once")
+    check_once(names, "hold")
     return names
 
 

@@ -381,7 +381,6 @@ def _check_is_rough(ground: RoughGround) -> None:
         )
     if ground.friction_weights:
         raise InputError(
-            "friction_weights: correlated friction has a past, which rare_falls does not copy with its "
-            "walkers, as it does for steps; allowed: a friction of its own for each stride "
-            "(friction_spread), or strides_to_fall"
+            "friction_weights: rare_falls does not copy the past of correlated friction with its walkers; "
+            "allowed: independent friction for each stride (friction_spread), or strides_to_fall"
         )

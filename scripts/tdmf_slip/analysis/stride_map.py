@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..blocks import in_order
-from ..checks import check_size, checked_whole
+from ..checks import check_once, check_size, checked_whole
 from ..errors import InputError
 from ..library.batch import TOLERANCE, Batch
 from ..library.batch_tables import CLOSED, about_of
@@ -20,7 +20,7 @@ from ..library.laws import AffineLaw, Law, text_of_law
 from ..library.members import check_varied
 from ..library.quantities import differentiable
 from ..library.tables import Table
-from ..terminal.in_blocks import in_blocks, sizes_of
+from ..terminal.in_blocks import in_blocks, largest_block, sizes_of
 from ..terminal.progress import progress_bar
 from ..variables.parameters import RunnerLike
 from ..variables.table import STATES, Model, full_names
@@ -33,8 +33,6 @@ MAX_IN_ALL = 10_000_000
 """Strides of all runners: each is kept, in 700 bytes."""
 STRIDES_IN_A_BLOCK = 100_000
 """Largest number of strides in a block with many runners: the library sees an interrupt between blocks."""
-MIN_IN_A_BLOCK, MAX_IN_A_BLOCK = 64, 4096
-"""Least and largest number of runners in a block; fewer would leave lanes empty."""
 
 
 def stride_map(
@@ -157,7 +155,7 @@ def stride_map(
         arrays = _in_blocks(batch, strides, executor, progress)
     elif executor is not None:
         raise InputError(
-            "executor is not allowed with a law that is a function, which is called here for all runners"
+            "executor: the law is a function, which is called for all runners at once; allowed: without one"
         )
     else:
         with progress_bar("strides", strides, "strides", progress) as bar:
@@ -215,7 +213,7 @@ def _in_blocks(
     batch: Batch, strides: int, executor: Executor | None, progress: bool
 ) -> dict[str, NDArray[Any]]:
     """Strides of all runners, computed block by block."""
-    largest = min(MAX_IN_A_BLOCK, max(MIN_IN_A_BLOCK, STRIDES_IN_A_BLOCK // strides))
+    largest = largest_block(strides, STRIDES_IN_A_BLOCK)
     sizes = sizes_of(len(batch), largest) or [0]
     blocks = [batch.part(number * largest, size) for number, size in enumerate(sizes)]
     work = partial(_strides_of, strides)
@@ -228,13 +226,12 @@ def _check_derivatives(names: Sequence[str], batch: Batch) -> None:
     """Refuse what is no parameter, and strides that are more than a map from apex to apex."""
     for name in names:
         check_varied(name, "derivatives", batch.model)
-    if len(set(names)) < len(names):
-        raise InputError(f"derivatives: {', '.join(names)}; allowed: each name once")
+    check_once(names, "derivatives")
     if names:
         batch.refuse_patches()
     law = batch.law
     if names and (batch.ground.roughness or "ground.height" in (*batch.inputs, *getattr(law, "inputs", ()))):
-        raise InputError("derivatives: on ground that steps at the apices; allowed: on ground of one height")
+        raise InputError("derivatives: the ground steps at the apices; allowed: ground of one height")
 
 
 def _derivatives_of(

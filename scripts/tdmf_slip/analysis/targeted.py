@@ -249,8 +249,8 @@ def _check_action(target: GaitProblem, iterate: Iterate) -> None:
     sizes = np.linalg.svd(iterate.rows, compute_uv=False)
     if sizes[-1] <= NO_ACTION * sizes[0]:
         raise InputError(
-            f"vary {', '.join(target.names)}: do not change {', '.join(target.quantities)} of this gait "
-            "each in its own way; allowed: parameters that do"
+            f"vary {', '.join(target.names)}: have the same effect on {', '.join(target.quantities)} of this "
+            "gait; allowed: parameters whose effects differ"
         )
 
 

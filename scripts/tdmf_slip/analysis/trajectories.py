@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..checks import check_size, is_one_of, near_matches, refusal, shown
+from ..checks import check_names, check_size, refusal
 from ..errors import InputError, RunError
 from ..given import numbers_of
 from ..library.binding import c, check_accepted, ffi, text_of
@@ -144,7 +144,9 @@ def _of_own(runner: Runner, apex: object, times: ArrayLike, derivatives: Sequenc
     point = None if apex is None or callable(apex) else checked_apex(np.asarray(apex), runner.coordinates)
     names = _checked_names(derivatives, runner.model)
     if point is None and any(name in runner.coordinates for name in names):
-        raise InputError("derivatives: by a coordinate of a run from the start values; allowed: with apex")
+        raise InputError(
+            "derivatives: a run from the start values has no apex; allowed: by coordinates with apex"
+        )
     found: xarray.Dataset = runner.trajectory(  # type: ignore[attr-defined]
         _checked_times(times, runner), point, names
     )
@@ -165,13 +167,8 @@ def _checked_times(given: ArrayLike, runner: Runner) -> NDArray[np.float64]:
 def _checked_names(given: object, model: Model) -> tuple[str, ...]:
     allowed = "names of coordinates, parameters and inputs in a list"
     names = full_names(given, "derivatives", allowed, model.aliases)
-    known = (*model.coordinates, *model.varied)
-    for name in names:
-        if not is_one_of(name, known):
-            raise InputError(
-                f"derivatives: {shown(name)} is not allowed; allowed: a coordinate of the apex, a parameter "
-                f"or an input{near_matches(name, (*known, *model.aliases))}"
-            )
+    known, which = (*model.coordinates, *model.varied), "a coordinate of the apex, a parameter or an input"
+    check_names(names, known, "derivatives", model.aliases, which)
     return tuple(dict.fromkeys(names))
 
 

@@ -10,7 +10,7 @@ import numpy as np
 from ..analysis.branches import LARGEST_STEP, MAX_POINTS, SHORTEST_STEP, continue_branch
 from ..analysis.curves import continue_curves
 from ..analysis.sweeps import gaits_in
-from ..checks import near_matches, shown
+from ..checks import check_names
 from ..errors import InputError
 from ..library.quantities import reported_quantities
 from ..library.runner import Runner
@@ -75,11 +75,7 @@ def continue_command(
             raise InputError("--output: curves over two parameters have no file; allowed: with one --vary")
         return _curves(runner, spans, max_points, display)
     names = (*runner.coordinates, *reported_quantities(runner.reduced), "lambda_max")
-    if quantity not in names:
-        raise InputError(
-            f"--quantity {shown(quantity)} is not allowed{near_matches(quantity, names)}; "
-            f"allowed: {', '.join(names)}"
-        )
+    check_names([quantity], names, "--quantity")
     if output is not None:
         from ..files.resume import refuse_resumable  # xarray is slow to load
 

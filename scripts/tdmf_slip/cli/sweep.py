@@ -79,7 +79,7 @@ def sweep_command(
         check_destination(output, FORMATS, "--output")
     texts = pairs_given(vary, "--vary", "NAME=A:B:N")
     if not texts and friction is None:
-        raise InputError("neither --friction nor --vary: allowed: one of the two, or both")
+        raise InputError("neither --friction nor --vary is given; allowed: one of the two, or both")
     if friction is not None:
         refuse_given({**options.given, **dict.fromkeys(texts, ("--vary", ""))}, FRICTION, "--friction")
         if texts and ":" not in friction:
@@ -98,8 +98,8 @@ def sweep_command(
         return _grid(runner, values, output, workers)
     if workers.are_given:
         raise InputError(
-            "--workers, --scheduler: along one range each gait is found from the one before, nor are they "
-            "of use for a single friction; allowed: with two ranges, of --vary or --friction"
+            "--workers, --scheduler: gaits along one range are found one after the other; allowed: with two "
+            "ranges, of --vary or --friction"
         )
     if output is not None and output.suffix.lower() == NETCDF:
         from ..files.resume import refuse_resumable  # xarray is slow to load

@@ -24,7 +24,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..checks import check_names, number_of, refusal
+from ..checks import check_names, check_once, number_of, refusal
 from ..errors import InputError
 from ..library.gait import Gait, check_is_gait
 from ..library.runner import Runner
@@ -111,9 +111,7 @@ def _checked_names(given: object, model: Model) -> tuple[str, ...]:
     if not names:
         raise refusal("inputs", given, allowed)
     check_names(names, chosen, "inputs", model.aliases)
-    twice = next((name for name in names if names.count(name) > 1), None)
-    if twice is not None:
-        raise InputError(f"inputs: {twice} is named twice; allowed: each once")
+    check_once(names, "inputs")
     return names
 
 

@@ -332,7 +332,7 @@ def riccati_gain(
         )
     except np.linalg.LinAlgError as problem:
         raise InputError(
-            f"inputs: no feedback of theirs makes the cost finite ({problem}); allowed: inputs that move "
+            f"inputs: no feedback by them makes the cost finite ({problem}); allowed: inputs that move "
             "every mode that does not decay, and weights that see it"
         ) from None
     return gain, cost

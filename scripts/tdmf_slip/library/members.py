@@ -5,7 +5,7 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from ..checks import is_one_of, near_matches, refusal, shown
+from ..checks import check_names, check_once, refusal
 from ..errors import GaitNotFoundError, InputError
 from ..given import row_of
 from ..variables.table import FRICTION, MODELS, Model, by_full_name, full_names
@@ -56,11 +56,7 @@ NAMES = "a list of names of parameters and inputs"
 
 def check_varied(name: object, what: str, model: Model = MODELS["full"]) -> None:
     """Refuse a name that a gait cannot be followed along."""
-    if not is_one_of(name, model.varied):
-        raise InputError(
-            f"{what} {shown(name)} is not allowed; allowed: a parameter or input of the model"
-            f"{near_matches(name, (*model.varied, *model.aliases))}"
-        )
+    check_names([name], model.varied, what, model.aliases, "a parameter or input of the model")
 
 
 def checked_names(given: object, what: str, model: Model = MODELS["full"]) -> tuple[str, ...]:
@@ -68,8 +64,7 @@ def checked_names(given: object, what: str, model: Model = MODELS["full"]) -> tu
     names = full_names(given, what, NAMES, model.aliases)
     for name in names:
         check_varied(name, what, model)
-        if names.count(name) > 1:
-            raise InputError(f"{what}: {name} is given twice; allowed: once")
+    check_once(names, what)
     return names
 
 

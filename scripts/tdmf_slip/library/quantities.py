@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..checks import is_one_of, near_matches, shown
+from ..checks import check_names, shown
 from ..errors import InputError
 from ..variables import units
 from ..variables.table import MODELS, Model
@@ -155,11 +155,7 @@ def allowed_quantities(model: Model) -> tuple[str, ...]:
 
 def checked_quantity(name: object, what: str, model: Model) -> str:
     """The name of a quantity."""
-    known = allowed_quantities(model)
-    if not is_one_of(name, known):
-        raise InputError(
-            f"{what} {shown(name)} is not allowed{near_matches(name, known)}; allowed: {', '.join(known)}"
-        )
+    check_names([name], allowed_quantities(model), what)
     return str(name)
 
 

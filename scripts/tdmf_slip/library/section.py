@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from ..checks import is_one_of, shown
+from ..checks import check_names
 from ..errors import InputError
 from ..given import numbers_by
 from ..variables.table import MODELS
@@ -27,6 +27,4 @@ def checked_apex(apex: Apex, coordinates: Sequence[str] = COORDINATES) -> NDArra
 
 def check_axes(axes: Sequence[str], coordinates: Sequence[str] = COORDINATES) -> None:
     """Refuse names that are not those of coordinates of the section."""
-    for axis in axes:
-        if not is_one_of(axis, coordinates):
-            raise InputError(f"axes: {shown(axis)} is not allowed; allowed: {', '.join(coordinates)}")
+    check_names(axes, coordinates, "axes")

@@ -153,8 +153,8 @@ def checked_values(
             raise InputError(f"target {name}: is what is minimized or maximized; allowed: another quantity")
     if len(found) > len(space.bounds):
         raise InputError(
-            f"target: {', '.join(found)} by {', '.join(space.bounds)}; allowed: no more quantities than "
-            "parameters"
+            f"target: {', '.join(found)} by {', '.join(space.bounds)}; "
+            "allowed: no more quantities than parameters"
         )
     return found
 

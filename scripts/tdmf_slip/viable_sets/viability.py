@@ -363,6 +363,7 @@ def _cells_about(runner: Runner, grid: Grid, gait: Gait | Apex) -> NDArray[np.bo
     target: NDArray[np.bool_] = near[0][:, None] & near[1]
     if not target.any():
         raise InputError(
-            f"gait: at {', '.join(f'{at:g}' for at in point)}: no cell is as near; allowed: one in range"
+            f"gait: at {', '.join(f'{at:g}' for at in point)}: no cell is near; "
+            "allowed: a gait within the ranges"
         )
     return target
