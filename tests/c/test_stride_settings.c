@@ -136,7 +136,11 @@ static void set_stride(void *context, int number, int stride, const double apex[
     if (population->scenario->rules.law) {
         follow_law(population, number, stride, apex, values);
     } else {
-        memcpy(values, population->values[number][stride], sizeof hand->values[stride]);
+        const tdmf_given_settings *given = &population->given;
+        const int after = stride - given->first, row = after < 0                ? 0
+                                                       : after < given->strides ? after
+                                                                                : given->strides - 1;
+        memcpy(values, &given->values[(number * given->strides + row) * SETTINGS], SETTINGS * sizeof *values);
     }
     set_by_hand(population, parameters, inputs, values);
 }
@@ -165,6 +169,17 @@ TEST(given_settings_are_those_of_the_strides) {
     population *population = gather(0.0);
     population->ensemble->given = &population->given;
     run_in_all_lanes(population);
+}
+
+/* The first row holds before the first stride that is given, the last row after the last one. */
+TEST(strides_are_made_with_the_rows_that_are_theirs) {
+    for (int first = 0; first <= 3; ++first) {
+        population *population = gather(0.0);
+        population->ensemble->given = &population->given;
+        population->given.first = first;
+        population->given.strides = 2;
+        run_in_all_lanes(population);
+    }
 }
 
 TEST(ground_and_leg_change_at_the_apex_itself) {
@@ -288,6 +303,60 @@ TEST(on_a_terrain_too) {
         both[0]->ensemble->goes_on = both[1]->ensemble->goes_on = false;
         assert_going_on_is_the_same(both[0], both[1]);
     }
+}
+
+static void go_on(population *population, int max_strides) {
+    population->ensemble->goes_on = true;
+    population->scenario->rules.max_strides = max_strides;
+    run_crowd(population->crowd, TDMF_BEST_INSTRUCTIONS);
+}
+
+TEST(a_run_that_has_made_its_strides_makes_no_more) {
+    population *population = gather(0.0);
+    population->scenario->rules.max_strides = 2;
+    const tdmf_ensemble_end *before = ends_of(population->crowd, TDMF_BEST_INSTRUCTIONS);
+    go_on(population, 2);
+    assert_memory_equal(population->crowd->ends, before, RUNNERS * sizeof *before);
+    assert_true(population->crowd->checkpoints[0].stands);
+    go_on(population, 3);
+    assert_int_equal(population->crowd->ends[0].strides, 3);
+}
+
+/* It drops onto a leg that is put upright, or from the second apex on onto one that is almost level. */
+TEST(a_fallen_runner_has_no_checkpoint) {
+    for (int row = 0; row < 2; ++row) {
+        population *population = gather(0.0);
+        crowd *crowd = population->crowd;
+        population->ensemble->given = &population->given;
+        population->given.strides = 2;
+        population->scenario->rules.max_strides = 1;
+        population->values[0][row][0] = row == 0 ? 0.2 : 1.5;
+        memcpy(crowd->starts[0], &reference_gaits[DEFAULT_GAIT].apex, sizeof reference_gaits->apex);
+        crowd->starts[0][TDMF_SECTION_COM_SPEED] *= row;
+        crowd->checkpoints[0].stands = true; /* an earlier run may have left it set */
+        run_crowd(crowd, TDMF_BEST_INSTRUCTIONS);
+        assert_true(crowd->checkpoints[1].stands && crowd->checkpoints[0].stands == (row == 1));
+        go_on(population, STRIDES);
+        assert_int_equal(crowd->ends[0].fate, TDMF_FATE_FELL);
+        assert_false(crowd->checkpoints[0].stands);
+    }
+}
+
+/* The plain page has fewer modes than a checkpoint may name: a runner of another mode goes on without it. */
+TEST(a_run_goes_on_in_any_mode) {
+    int mode = 0;
+    for (bool is_taken = true; is_taken; ++mode) {
+        population *population = gather(0.0);
+        const tdmf_ensemble_end *ends = population->crowd->ends;
+        population->scenario->rules.max_strides = 1;
+        run_crowd(population->crowd, TDMF_BEST_INSTRUCTIONS);
+        population->crowd->checkpoints[0].mode = mode;
+        population->ensemble->goes_on = true;
+        population->scenario->rules.max_strides = 2;
+        is_taken = tdmf_run_ensemble(population->ensemble, population->crowd->ends, NULL).variable == NULL;
+        assert_int_equal(ends[1].strides, is_taken ? 2 : 1);
+    }
+    assert_true(mode > 7);
 }
 
 /* ---- the reduced map ---------------------------------------------------------------------------------- */
@@ -444,8 +513,12 @@ TEST(refuses_settings_that_are_none) {
     population *population = gather(0.0);
     const double angle = population->values[3][2][0];
     population->ensemble->given = &population->given;
-    population->values[3][2][0] = NAN;
-    assert_crowd_is_refused(population->crowd);
+    for (int i = 0; i < RUNNERS * STRIDES; ++i) {
+        const double value = population->values[i / STRIDES][i % STRIDES][i % SETTINGS];
+        population->values[i / STRIDES][i % STRIDES][i % SETTINGS] = NAN;
+        assert_crowd_is_refused(population->crowd);
+        population->values[i / STRIDES][i % STRIDES][i % SETTINGS] = value;
+    }
     population->values[3][2][0] = 1e9;
     assert_crowd_is_refused(population->crowd);
     population->values[3][2][0] = angle;
