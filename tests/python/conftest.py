@@ -185,17 +185,36 @@ def unit_reference():
     return next(gait for gait in reference_gaits(False) if gait["friction"] == 0.6)
 
 
-@pytest.fixture
-def command(capsys, tmp_path, monkeypatch):
-    """Runs the command in an empty folder; returns its status and what it said."""
-    monkeypatch.chdir(tmp_path)
+class Command:
+    """The command `tdmf-slip`, run in this process."""
 
-    def run(*arguments):
+    def __init__(self, capsys):
+        self.capsys = capsys
+
+    def __call__(self, *arguments):
+        """The command's status, and what it prints to stdout and to stderr."""
         status = main([str(argument) for argument in arguments])
-        said = capsys.readouterr()
+        said = self.capsys.readouterr()
         return status, said.out, said.err
 
-    return run
+    def json(self, *arguments):
+        """The object that a command prints that has to succeed."""
+        status, out, said = self(*arguments, "--json")
+        assert status == 0, said
+        return json.loads(out)
+
+    def refusal(self, *arguments):
+        """The one message of a command that has to be refused."""
+        status, out, said = self(*arguments)
+        assert (status, out, len(said.strip().splitlines())) == (2, "", 1), said
+        return said
+
+
+@pytest.fixture
+def command(capsys, tmp_path, monkeypatch):
+    """The command in an empty folder."""
+    monkeypatch.chdir(tmp_path)
+    return Command(capsys)
 
 
 def assert_same(one, other):

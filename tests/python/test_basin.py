@@ -1,7 +1,5 @@
 """Regions of attraction: fates agree with runs of the unit, on any executor, and none is lost."""
 
-import json
-
 import numpy as np
 import pytest
 import xarray
@@ -98,9 +96,7 @@ def test_without_ranges_a_map_is_around_the_gait(runner):
 
 def test_basin_command(command):
     options = ("--n", 4, "--axes", "com_height=1.3:1.5", "--axes", "com_speed=1.0:1.1", "--samples", 200)
-    status, out, _ = command("basin", *options, "--json", "--output", "map.nc", "--plot", "map.png")
-    found = json.loads(out)
-    assert status == 0
+    found = command.json("basin", *options, "--output", "map.nc", "--plot", "map.png")
     assert (found["starts"], found["settled"]) == (16, 16)
     assert found["robustness"]["push_backward"] is None  # beyond the largest tried
     assert found["settled_area"] == pytest.approx(0.2 * 0.1)

@@ -138,9 +138,8 @@ def test_growth_times_each_question_by_its_size(command, monkeypatch):
     asked = []
     monkeypatch.chdir(ROOT)
     monkeypatch.setattr(growth, "optimize", lambda *_, **given: asked.append(given["minimize"]))
-    status, out, _ = command("bench", "--growth", "--effort", 1e-4, "--json")
-    found = json.loads(out)
-    assert status == 0 and asked == ["cost_of_transport"] * 2
+    found = command.json("bench", "--growth", "--effort", 1e-4)
+    assert asked == ["cost_of_transport"] * 2
     assert {row["question"] for row in found["timings"]} == {
         *("basin", "ensemble", "optimize", "fit", "continue"),
     }

@@ -75,10 +75,8 @@ def test_the_fast_human_over_the_friction(command):
 
     Just above the fold plain strides settle on the stable gait, below it the runner falls.
     """
-    options = ("--parameters", str(FAST_HUMAN), "--vary", "ground.friction=0.35:0.5", "--json")
-    status, out, _ = command("continue", *options)
-    printed = json.loads(out)
-    assert status == 0 and printed["ended"] == printed["began"] == "end of the range"
+    printed = command.json("continue", "--parameters", FAST_HUMAN, "--vary", "ground.friction=0.35:0.5")
+    assert printed["ended"] == printed["began"] == "end of the range"
     (fold,) = [special for special in printed["specials"] if special["kind"] == "fold"]
     assert fold["value"] == pytest.approx(0.3836020818, abs=1e-9)
     assert {s["kind"] for s in printed["specials"]} == {"fold", "word border"}
@@ -187,9 +185,8 @@ def test_a_gait_is_on_the_branch_of_its_own_model_only():
 
 def test_a_diagram_a_dataset_and_json_with_doubled_gaits_are_one_command(command, tmp_path):
     asked = ("continue", "--vary", "hip.touchdown_angle=0.57:0.563", "--plot", "a.png", "--output", "a.nc")
-    status, out, _ = command(*asked, "--json")
-    (printed,) = json.loads(out)["branches"]
-    assert status == 0 and printed["strides"] == 2
+    (printed,) = command.json(*asked)["branches"]
+    assert printed["strides"] == 2
     assert printed["began"].startswith("period doubling at hip.touchdown_angle = 0.565")
     point = printed["points"][-1]
     assert point["strides"] == 2 and len(point["apexes"]) == 2 and point["apexes"][0] == point["apex"]
@@ -207,10 +204,8 @@ def test_a_diagram_a_dataset_and_json_with_doubled_gaits_are_one_command(command
     assert gait.stride["speed"] == pytest.approx(gait.stride["length"] / gait.stride["period"], rel=1e-14)
     assert values_of(data, "com_speed")[-1].tolist() == [apex[1] for apex in point["apexes"]]
     data.assign_attrs(result="basin").to_netcdf(tmp_path / "map.nc")
-    status, _, complaint = command(
-        "continue", "--vary", "hip.touchdown_angle=0.57:0.563", "--output", "map.nc"
-    )
-    assert status == 2 and "map.nc: holds a basin" in complaint
+    complaint = command.refusal("continue", "--vary", "hip.touchdown_angle=0.57:0.563", "--output", "map.nc")
+    assert "map.nc: holds a basin" in complaint
 
 
 def test_lines_are_solid_where_gaits_are_stable(over_low_angle):
@@ -254,7 +249,7 @@ def test_a_sweep_says_that_a_fold_ends_its_branch(command):
     assert (branch["from"], branch["began"]) == (0.5, None) and branch["to"] == pytest.approx(0.4)
     assert branch["ended"] == "the branch ends in a fold at ground.friction = 0.3836020818"
     assert "0.3836020818" in said
-    status, out, _ = command("sweep", "--friction", "0.35:0.5:4", *options)
+    _, out, _ = command("sweep", "--friction", "0.35:0.5:4", *options)
     (branch,) = json.loads(out)["branches"]
     assert (
         branch["from"] == pytest.approx(0.4) and branch["ended"] is None and "0.3836020818" in branch["began"]
@@ -263,9 +258,8 @@ def test_a_sweep_says_that_a_fold_ends_its_branch(command):
 
 def test_a_sweep_over_any_parameter_alone(command, tmp_path):
     over = ("sweep", "--vary", "leg.damping=0.15:0.25:3")
-    status, out, _ = command(*over, "--friction", "0.43", "--json", "--output", "sweep.nc")
-    printed = json.loads(out)
-    assert status == 0 and printed["over"] == "leg.damping" and printed["missing"] == []
+    printed = command.json(*over, "--friction", "0.43", "--output", "sweep.nc")
+    assert printed["over"] == "leg.damping" and printed["missing"] == []
     for gait, value in zip(printed["gaits"], (0.15, 0.2, 0.25), strict=True):
         assert gait["value"] == gait["start_values"]["leg.damping"] == pytest.approx(value, abs=1e-15)
         assert gait["friction"] == 0.43
@@ -273,5 +267,4 @@ def test_a_sweep_over_any_parameter_alone(command, tmp_path):
 
     data = xarray.load_dataset(tmp_path / "sweep.nc")
     assert data["leg.damping"].attrs["units"] == "N.s/m" and data["branch"].values.tolist() == [0, 0, 0]
-    status, out, _ = command(*over, "--set", "ground.friction=0.43", "--json")
-    assert json.loads(out)["gaits"] == printed["gaits"]
+    assert command.json(*over, "--set", "ground.friction=0.43")["gaits"] == printed["gaits"]

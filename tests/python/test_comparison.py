@@ -1,6 +1,5 @@
 """Matched runners: held quantities are equal, and those that cannot be held are reported."""
 
-import json
 import re
 
 import pytest
@@ -44,9 +43,8 @@ def test_quantities_that_cannot_be_held_are_reported(command):
 
 def test_the_command_prints_what_the_function_gives(command):
     options = ["--friction", 0.2, "--friction", 10, "--hold", ",".join(HOLD), "--vary", ",".join(VARY)]
-    status, out, _ = command("compare", *options, "--json")
-    printed = json.loads(out)
-    assert status == 0 and printed["not_held"] == [] and len(printed["runners"]) == 2
+    printed = command.json("compare", *options)
+    assert printed["not_held"] == [] and len(printed["runners"]) == 2
     matched = compare([SLIPS, STICKS], hold=HOLD, vary=VARY)
     for number, runner in enumerate(printed["runners"]):
         for step in ("before", "after"):

@@ -1,6 +1,5 @@
 """Every parameter and input by its name: swept over, given to a gait and to a map of what it attracts."""
 
-import json
 import math
 
 import numpy as np
@@ -32,9 +31,7 @@ def spans(fmu):
 def test_all_can_be_swept_over(command, spans):
     swept = 0
     for name, (low, high) in spans.items():
-        status, out, err = command("sweep", "--vary", f"{name}={low!r}:{high!r}:3", "--json")
-        assert status == 0, f"{name}: {err}"
-        found = json.loads(out)
+        found = command.json("sweep", "--vary", f"{name}={low!r}:{high!r}:3")
         assert found["over"] == name
         values = [gait["value"] for gait in found["gaits"]]
         assert values == pytest.approx(np.linspace(low, high, 3), rel=1e-12) and not found["missing"]
@@ -47,9 +44,7 @@ def test_all_can_be_set_for_a_gait_and_for_what_it_attracts(command, spans):
     tried, unmoved = 0, set()
     home = find_gait({}).stride["speed"]
     for name, (_, value) in spans.items():
-        status, out, err = command("gait", "--set", f"{name}={value!r}", "--json")
-        assert status == 0, f"{name}: {err}"
-        gait = json.loads(out)
+        gait = command.json("gait", "--set", f"{name}={value!r}")
         ends = np.array([1.0 - 1e-9, 1.0 + 1e-9])
         axes = {"com_height": ends * gait["apex"][0], "com_speed": ends * gait["apex"][1]}
         data = basin({name: value}, axes, 2)
@@ -70,9 +65,7 @@ def test_none_takes_what_is_beyond_its_range(command, fmu):
             ("gait", "--set", f"{name}={beyond!r}"),
             ("basin", "--set", f"{name}={beyond!r}"),
         ):
-            status, out, err = command(*arguments)
-            assert status == 2 and not out
-            (sentence,) = err.splitlines()
+            sentence = command.refusal(*arguments)
             assert name in sentence and repr(beyond) in sentence and "allowed: " in sentence
             refused += 1
     assert refused == 4 * 27

@@ -75,13 +75,11 @@ def test_a_page_has_its_frames_in_it_and_fetches_nothing(command, tmp_path):
     page = (tmp_path / "run.html").read_text()
     assert len(re.findall(r'"iVBOR[\w+/=]+"', page)) == 12
     assert "//" not in re.sub(r'"iVBOR[\w+/=]+"', "", page)
-    status, _, said = command(
-        "animate", "--output", "run.html", "--from-gait", "gait.json", "--friction", "0.3"
-    )
-    assert status == 2 and "--from-gait" in said
+    given = ("--from-gait", "gait.json", "--friction", "0.3")
+    assert "--from-gait" in command.refusal("animate", "--output", "run.html", *given)
 
 
 def test_without_ffmpeg_a_film_is_refused(command, monkeypatch):
     monkeypatch.setattr(animation.FFMpegWriter, "isAvailable", lambda: False)
-    status, _, said = command("animate", "--output", "run.mp4")
-    assert status == 2 and "ffmpeg is not installed" in said and ".gif" in said
+    said = command.refusal("animate", "--output", "run.mp4")
+    assert "ffmpeg is not installed" in said and ".gif" in said

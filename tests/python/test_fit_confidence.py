@@ -1,7 +1,5 @@
 """Confidence of a fit: coverage of its intervals, priors, outliers, data left out, and other starts."""
 
-import json
-
 import numpy as np
 import pytest
 from conftest import RELEASE, release
@@ -115,9 +113,8 @@ def test_the_command_takes_what_is_known_and_leaves_data_out(tmp_path, command):
     header = "speed [m/s],speed_error [m/s],frequency [Hz],frequency_error [Hz]"
     table.write_text(f"{header}\n1.05,0.01,0.0405,0.0004\n", encoding="utf-8")
     arguments = ["fit", str(table), "--vary", "hip.stance_torque", "--prior", "leg.stiffness=1.0,0.05"]
-    status, out, _ = command(*arguments, "--robust", "--without-each", "--json")
-    printed = json.loads(out)
-    assert status == 0 and set(printed["parameters"]) == {"hip.stance_torque", "leg.stiffness"}
+    printed = command.json(*arguments, "--robust", "--without-each")
+    assert set(printed["parameters"]) == {"hip.stance_torque", "leg.stiffness"}
     assert printed["priors"][0]["error"] == 0.05 and printed["degrees_of_freedom"] == 1
     assert [(one["row"], one["quantity"]) for one in printed["without"]] == [(1, "speed"), (1, "frequency")]
     assert printed["parameters"]["leg.stiffness"]["profiled"]

@@ -1,7 +1,6 @@
 """Short names stand for the unit's own wherever a variable is named; a wrong name has the nearest."""
 
 import inspect
-import json
 
 import numpy as np
 import pytest
@@ -55,8 +54,7 @@ def test_what_varies_goes_by_either_name(call):
 
 
 def test_the_command_that_lists_variables_has_the_short_names(command):
-    _, printed, _ = command("variables", "--json")
-    listed = {variable["name"]: variable["short_name"] for variable in json.loads(printed)["variables"]}
+    listed = {variable["name"]: variable["short_name"] for variable in command.json("variables")["variables"]}
     assert {short: full for full, short in listed.items() if short} == dict(ALIASES)
     _, printed, _ = command("variables")
     assert any(line.split()[:2] == ["ground.friction", "friction"] for line in printed.splitlines())
@@ -83,8 +81,8 @@ def test_a_wrong_name_has_the_nearest_beside_it(call, meant):
 def test_a_variable_is_not_given_by_both_names(command):
     with pytest.raises(InputError, match=r"ground\.friction and friction are the same"):
         find_gait({"friction": 0.4, "ground.friction": 0.4})
-    status, _, said = command("gait", "--set", "damping=0.1", "--set", "leg.damping=0.1")
-    assert status == 2 and "leg.damping is given twice" in said
+    said = command.refusal("gait", "--set", "damping=0.1", "--set", "leg.damping=0.1")
+    assert "leg.damping is given twice" in said
 
 
 def test_a_target_may_be_a_quantity_with_its_unit(command):
@@ -94,5 +92,5 @@ def test_a_target_may_be_a_quantity_with_its_unit(command):
     assert found.runner["hip.stance_torque"] == pytest.approx(wanted.runner["hip.stance_torque"], rel=1e-9)
     with pytest.raises(InputError, match="target length = '9 km/h' is not allowed; allowed: a number in m"):
         find_gait("human", target={"length": "9 km/h"}, vary=["torque"])
-    status, _, said = command("gait", "--target", "speed=9 cm", "--vary", "torque")
-    assert status == 2 and "--target speed = '9 cm' is not allowed; allowed: a number in m/s" in said
+    said = command.refusal("gait", "--target", "speed=9 cm", "--vary", "torque")
+    assert "--target speed = '9 cm' is not allowed; allowed: a number in m/s" in said

@@ -131,9 +131,7 @@ def test_the_command_prints_a_table_before_and_after(command):
     assert rows[TORQUE] == [TORQUE, "k", "l0^2", "0.2", "0.25", "upper"]
     assert rows["word"][1:] == ["+0-0+", "+0-"]
     assert "a local optimum to first order" in out and "one search" in out
-    status, out, _ = command("optimize", *arguments, "--json")
-    printed = json.loads(out)
-    assert status == 0
+    printed = command.json("optimize", *arguments)
     assert {"parameters", "before", "after", "word", "stable", "active_bounds"} <= set(printed)
     assert printed["parameters"] == {TORQUE: 0.25} and printed["active_bounds"] == {TORQUE: "upper"}
     assert printed["after"]["speed"] == pytest.approx(float(rows["speed"][-1]), rel=1e-8)
@@ -145,9 +143,8 @@ def test_the_command_prints_a_table_before_and_after(command):
 def test_a_pareto_front_leads_from_one_best_to_the_other(command):
     arguments = ["--minimize", "cost_of_transport", "--maximize", "speed", "--vary", f"{TORQUE}=0.15:0.3"]
     arguments += ["--vary", f"{ANGLE}=0.65:0.75", "--starts", "1", "--points", "3"]
-    status, out, _ = command("optimize", *arguments, "--json")
-    printed = json.loads(out)
-    assert status == 0 and printed["objectives"] == ["cost_of_transport", "speed"]
+    printed = command.json("optimize", *arguments)
+    assert printed["objectives"] == ["cost_of_transport", "speed"]
     costs, speeds = (
         np.array([best["after"][name] for best in printed["front"]]) for name in printed["objectives"]
     )

@@ -18,9 +18,7 @@ def single_options():
 
 @pytest.mark.parametrize(("command_name", "option", "values"), list(single_options()))
 def test_no_option_is_given_twice(command, tmp_path, command_name, option, values):
-    status, out, said = command(command_name, *(2 * [option, *(values * ["1"])]))
-    assert (status, out) == (2, "")
-    assert f"{option} is given twice" in said and len(said.strip().splitlines()) == 1
+    assert f"{option} is given twice" in command.refusal(command_name, *(2 * [option, *(values * ["1"])]))
     assert list(tmp_path.iterdir()) == []
 
 
@@ -47,9 +45,8 @@ def test_a_file_that_is_none_is_told_without_a_number(command, tmp_path, option,
         (tmp_path / folder).mkdir()
     for file in ("empty.toml", "empty.json"):
         (tmp_path / file).touch()
-    status, out, said = command("simulate", option, name, "--stop-time", 1)
-    assert (status, out) == (2, "")
-    assert name in said and "Errno" not in said and len(said.strip().splitlines()) == 1, said
+    said = command.refusal("simulate", option, name, "--stop-time", 1)
+    assert name in said and "Errno" not in said, said
 
 
 def test_quantities_are_printed_with_their_units(command):

@@ -1,6 +1,5 @@
 """The guide to a law of one's own: its commands and its code run as printed."""
 
-import json
 import re
 import shutil
 
@@ -26,8 +25,7 @@ def test_the_guide_s_commands_are_those_that_there_are(command, tmp_path, monkey
     assert status == 0 and not err
     names = ("README.md", "page.py", "parameters.toml", "test_my_runner.py")
     assert out.split() == [str(tmp_path.joinpath("my_runner", name).relative_to(tmp_path)) for name in names]
-    status, _, err = command(*COMMANDS[0].split())
-    assert status == 2 and "is there already" in err
+    assert "is there already" in command.refusal(*COMMANDS[0].split())
 
 
 def test_the_guide_s_code_and_the_folder_s_test_run(tmp_path, monkeypatch):
@@ -57,9 +55,7 @@ def test_build_makes_a_library_and_units_that_fmpy_validates_and_runs(command, t
     monkeypatch.chdir(tmp_path)
     monkeypatch.setenv("CC", " ".join(compiler()))
     assert command("new", "my_ball", "--from", "scratch")[0] == 0
-    status, out, err = command("build", "my_ball", "--json")
-    assert status == 0, err
-    made = json.loads(out)
+    made = command.json("build", "my_ball")
     folder = tmp_path / "my_ball" / "build"
     assert {path.name for path in folder.iterdir()} == {path.split("/")[-1] for path in made["files"]}
     assert len(made["files"]) == 5 and sorted(p.name for p in tmp_path.iterdir()) == ["my_ball"]

@@ -1,7 +1,5 @@
 """A preview of a region of attraction: the exact map's fates near every border, by far fewer strides."""
 
-import json
-
 import numpy as np
 import pytest
 import tdmf_slip
@@ -78,10 +76,7 @@ def test_a_preview_is_the_same_on_file_and_kept_apart_from_the_exact_map(tmp_pat
 
 
 def test_the_command_tells_how_many_starts_were_followed(command, tmp_path):
-    status, out, _ = command(
-        "basin", "--friction", 10, "--n", 40, "--refine", "preview", "--samples", 0, "--json",
-        "--plot", tmp_path / "map.png",
-    )  # fmt: skip
-    found = json.loads(out)
-    assert status == 0 and 0 < found["followed"] < found["starts"] == 1600
+    options = ("--friction", 10, "--n", 40, "--refine", "preview", "--samples", 0)
+    found = command.json("basin", *options, "--plot", tmp_path / "map.png")
+    assert 0 < found["followed"] < found["starts"] == 1600
     assert (tmp_path / "map.png").stat().st_size > 10_000

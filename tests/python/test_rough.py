@@ -1,6 +1,5 @@
 """Rough ground: runners in the engine and runs of the unit meet the same steps; how long they stay up."""
 
-import json
 import math
 
 import numpy as np
@@ -83,11 +82,8 @@ def test_a_mean_depends_on_the_seed_and_on_nobody_who_works(gait, monkeypatch):
 
 
 def test_the_command_prints_the_mean(command):
-    status, out, _ = command(
-        "rough", "--roughness", "0.5", "--runners", "64", "--seed", "3", "--max-strides", "20", "--json"
-    )
-    assert status == 0
-    printed = json.loads(out)
+    options = ("--roughness", "0.5", "--runners", "64", "--seed", "3", "--max-strides", "20")
+    printed = command.json("rough", *options)
     assert printed == strides_to_fall({}, 0.5, 64, 3, 20).as_json()
     assert {"mean_strides", "interval", "censored"} <= printed.keys()
     assert printed["falls"] + printed["censored"] == 64

@@ -133,8 +133,7 @@ def test_figures_are_drawn_of_what_is_kept_with_legends_inside_and_words_beside_
 
 def test_each_picture_of_the_documentation_is_shown_and_is_remade_by_one_command(command):
     """`scripts/pictures` ends with an error where it has not made one; here it is not run."""
-    status, _, said = command("figures", "--only", "?")
-    assert status == 2
+    said = command.refusal("figures", "--only", "?")
     figures = set(said.partition("allowed: ")[2].strip().split(", "))
     script = (ROOT / "scripts/pictures").read_text(encoding="utf-8")
     assert "tdmf-slip figures" in script

@@ -36,9 +36,7 @@ def test_files_options_and_mappings_set_it(command, tmp_path):
     table.write_text(json.dumps({CLAMP: True}), encoding="utf-8")
     (expected,) = (gait["speed"] for gait in reference_gaits(True) if gait["friction"] == 0.6)
     for given in (["--parameters", toml], ["--parameters", table], ["--set", f"{CLAMP}=true"]):
-        status, out, err = command("gait", "--json", *given)
-        assert status == 0, err
-        plain = json.loads(out)
+        plain = command.json("gait", *given)
         assert plain["speed"] == pytest.approx(expected, abs=1e-11) and plain["start_values"][CLAMP] is True
     free = find_gait("human")
     clamped = find_gait(Runner("human").replace({CLAMP: True}))
@@ -49,21 +47,8 @@ def test_files_options_and_mappings_set_it(command, tmp_path):
 def test_the_unit_runs_without_the_clamp_from_the_gait_s_file(command, tmp_path):
     reference, file, rows = FREE[0.6], tmp_path / "gait.json", tmp_path / "run.nc"
     file.write_text(command("gait", "--set", f"{CLAMP}=0", "--json")[1], encoding="utf-8")
-    given = (
-        "simulate",
-        "--from-gait",
-        file,
-        "--strides",
-        1,
-        "--json",
-        "--output",
-        rows,
-        "--tolerance",
-        1e-12,
-    )
-    status, out, err = command(*given)
-    assert status == 0, err
-    run = json.loads(out)
+    options = ("--strides", 1, "--output", rows, "--tolerance", 1e-12)
+    run = command.json("simulate", "--from-gait", file, *options)
     assert run["stride"]["word"] == reference["word"] and run["start_values"][CLAMP] is False
     assert run["stride"]["speed"] == pytest.approx(reference["speed"], abs=1e-8)
     assert runner_in(xarray.load_dataset(rows))[CLAMP] is False

@@ -1,7 +1,5 @@
 """Terrain: level segments of which the foot meets the one below it, against ground set by stride."""
 
-import json
-
 import numpy as np
 import pytest
 from tdmf_slip import AffineLaw, Batch, stride_map, strides_to_fall
@@ -181,10 +179,10 @@ def test_strides_to_fall_counts_on_it(gait):
 def test_the_command_has_it(tmp_path, command):
     path = tmp_path / "heights.txt"
     path.write_text("0 0.02 -0.02", encoding="utf-8")
-    given = ["rough", "--runners", "4", "--max-strides", "4", "--json", "--segment-length", "3"]
-    printed = json.loads(command(*given, "--heights", str(path))[1])
+    given = ["rough", "--runners", "4", "--max-strides", "4", "--segment-length", "3"]
+    printed = command.json(*given, "--heights", path)
     more = ("--correlation", "0.7", "--friction-spread", "0.1", "--trips")
-    drawn = json.loads(command(*given, "--roughness", "0.02", *more)[1])
+    drawn = command.json(*given, "--roughness", "0.02", *more)
     assert printed["strides"] == drawn["strides"] == 16
 
 

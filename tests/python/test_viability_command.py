@@ -15,25 +15,22 @@ SETTINGS = {"axes": {"com_height": (1, 2), "com_speed": (0.5, 1.5)}, "vary": {AN
 def test_the_command_finds_what_the_function_finds_draws_writes_and_goes_on(command, tmp_path):
     files = "--output", tmp_path / "viable.nc", "--plot", tmp_path / "viable.png"
     options = ("viability", "--friction", 0.3, *GRID, *files)
-    status, out, _ = command(*options, "--n", 6, "--json")
-    printed, found = json.loads(out), tdmf_slip.viability({"ground.friction": 0.3}, **SETTINGS)
-    assert status == 0 and printed["runner"] == json.loads(found.runner)
+    printed = command.json(*options, "--n", 6)
+    found = tdmf_slip.viability({"ground.friction": 0.3}, **SETTINGS)
+    assert printed["runner"] == json.loads(found.runner)
     assert (printed["cells"], printed["actions"], printed["strides"]) == ([6, 6], 6, 7 * 7 * 6)
     for name in ("inner", "outer"):
         assert printed[f"{name}_share"] == found.attrs[f"{name}_share"]
         assert printed[f"{name}_robustness"] == float(found[f"{name}_robustness"].mean())
     assert (tmp_path / "viable.png").stat().st_size > 10_000
-    assert command(*options, "--n", 6, "--json")[:2] == (0, out)
-    status, _, said = command(*options, "--n", 7)
-    assert status == 2 and "not this viable set" in said
+    assert command.json(*options, "--n", 6) == printed
+    assert "not this viable set" in command.refusal(*options, "--n", 7)
 
 
 def test_the_command_tells_of_the_gait_and_writes_a_controller(command, tmp_path):
     file = tmp_path / "controller.csv"
     wide = ("--axes", "com_height=0.5:2", "--axes", "com_speed=0:2", *GRID[4:])
-    status, out, _ = command("viability", *wide, "--n", 24, "--gait", "--controller", file, "--json")
-    assert status == 0
-    printed = json.loads(out)
+    printed = command.json("viability", *wide, "--n", 24, "--gait", "--controller", file)
     gait, axes = tdmf_slip.find_gait(model="reduced"), {"com_height": (0.5, 2), "com_speed": (0, 2)}
     found = tdmf_slip.viability(None, axes=axes, vary=SETTINGS["vary"], n=24, gait=gait)
     assert printed["reached"]["cells"] == int(found["at_gait"].sum())
@@ -69,8 +66,6 @@ def test_the_picture_tells_the_three_kinds_of_cells_apart():
 
 def test_units_are_read_and_sixteen_values_are_tried(command):
     grid = (*GRID[:4], "--vary", "hip.touchdown_angle=20 deg:60 deg")
-    status, out, _ = command("viability", *grid, "--n", 4, "--model", "full", "--json")
-    found = json.loads(out)
-    assert status == 0
+    found = command.json("viability", *grid, "--n", 4, "--model", "full")
     assert found["actions"] == 16
     assert found["vary"][ANGLE][:2] == pytest.approx([0.349065850399, 1.047197551197])
