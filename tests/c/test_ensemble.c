@@ -384,23 +384,21 @@ TEST(unsound_ensembles_are_refused) {
     static const double tolerances[] = {0.0, -1.0, 1.0, NAN, INFINITY};
     static const int no_cases[] = {-1, RUNNERS};
     crowd *crowd = random_crowd(place_near_the_gait, 1);
-    tdmf_ensemble_end end = {.strides = 77};
-    tdmf_ensemble bad = crowd->ensemble;
     for (size_t i = 0; i < COUNT_OF(tolerances); ++i) {
-        bad.relative_tolerance = tolerances[i];
-        assert_non_null(tdmf_run_ensemble(&bad, &end, NULL).variable);
+        crowd->ensemble.relative_tolerance = tolerances[i];
+        assert_crowd_is_refused(crowd);
     }
-    bad = crowd->ensemble;
-    bad.threads = 0;
-    assert_non_null(tdmf_run_ensemble(&bad, &end, NULL).variable);
-    bad = crowd->ensemble;
-    bad.instructions = TDMF_INSTRUCTIONS_COUNT;
-    assert_non_null(tdmf_run_ensemble(&bad, &end, NULL).variable);
+    crowd->ensemble.relative_tolerance = tight;
+    crowd->ensemble.threads = 0;
+    assert_crowd_is_refused(crowd);
+    crowd->ensemble.threads = 1;
+    crowd->ensemble.instructions = TDMF_INSTRUCTIONS_COUNT;
+    assert_crowd_is_refused(crowd);
+    crowd->ensemble.instructions = TDMF_BEST_INSTRUCTIONS;
     for (size_t i = 0; i < COUNT_OF(no_cases); ++i) {
         crowd->case_of[RUNNERS - 1] = no_cases[i];
-        assert_non_null(tdmf_run_ensemble(&crowd->ensemble, &end, NULL).variable);
+        assert_crowd_is_refused(crowd);
     }
-    assert_int_equal(end.strides, 77);
     assert_true(tdmf_has_instructions(TDMF_ONE_BY_ONE));
 }
 

@@ -91,12 +91,6 @@ TEST(in_continuous_time_mode_they_keep_their_values) {
     }
 }
 
-TEST(parameters_that_are_not_tunable_stay_fixed) {
-    fmi2Component component = begun(&fmi2, STEPS, "");
-    assert_int_equal(set_real(component, "body.mass", 1.1), fmi2Error);
-    assert_int_equal(set_real(component, "ground.static_friction_ratio", 1.1), fmi2Error);
-}
-
 TEST(only_continuous_inputs_have_rates) {
     fmi2Component component = new_slave();
     const fmi2Integer first = 1;

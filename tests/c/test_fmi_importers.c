@@ -132,33 +132,26 @@ FMI_TEST(states_stay_the_units_own_in_co_simulation) {
 
 /* ---- asking for nothing -------------------------------------------------------------------------------- */
 
+#define TYPES_OF_NONE(DO) DO(Float32) DO(Int8) DO(UInt8) DO(Int16) DO(UInt16) DO(UInt32) DO(UInt64)
+#define OTHER_TYPES(DO)   DO(Float64) DO(Int32) DO(Int64) DO(Boolean) DO(String)
+
 #define ASKS_FOR_NONE(Type)                                                                                  \
     assert_int_equal(fmi3Get##Type(instance, NULL, 0, NULL, 0), fmi3OK);                                     \
-    assert_int_equal(fmi3Set##Type(instance, NULL, 0, NULL, 0), fmi3OK)
+    assert_int_equal(fmi3Set##Type(instance, NULL, 0, NULL, 0), fmi3OK);
 
 #define ASKS_FOR_ONE(Type)                                                                                   \
     assert_int_equal(fmi3Get##Type(instance, &reference, 1, NULL, 1), fmi3Error);                            \
     assert_int_equal(fmi3Get##Type(instance, &reference, 0, NULL, 1), fmi3Error);                            \
     assert_int_equal(fmi3Set##Type(instance, &reference, 1, NULL, 1), fmi3Error);                            \
     assert_int_equal(fmi3Set##Type(instance, &reference, 1, NULL, 0), fmi3Error);                            \
-    assert_non_null(strstr(last_message, "no variable of type " #Type))
+    assert_non_null(strstr(last_message, "no variable of type " #Type));
 
 TEST(none_of_what_the_unit_lacks_is_given_and_one_refused) {
     const fmi3ValueReference reference = 0;
     fmi3Instance instance = new_exchange();
     initialize3(instance);
-    ASKS_FOR_NONE(Float32);
-    ASKS_FOR_NONE(Float64);
-    ASKS_FOR_NONE(Int8);
-    ASKS_FOR_NONE(UInt8);
-    ASKS_FOR_NONE(Int16);
-    ASKS_FOR_NONE(UInt16);
-    ASKS_FOR_NONE(Int32);
-    ASKS_FOR_NONE(UInt32);
-    ASKS_FOR_NONE(Int64);
-    ASKS_FOR_NONE(UInt64);
-    ASKS_FOR_NONE(Boolean);
-    ASKS_FOR_NONE(String);
+    TYPES_OF_NONE(ASKS_FOR_NONE)
+    OTHER_TYPES(ASKS_FOR_NONE)
     assert_int_equal(fmi3GetBinary(instance, NULL, 0, NULL, NULL, 0), fmi3OK);
     assert_int_equal(fmi3SetBinary(instance, NULL, 0, NULL, NULL, 0), fmi3OK);
     assert_int_equal(fmi3GetClock(instance, NULL, 0, NULL), fmi3OK);
@@ -172,13 +165,7 @@ TEST(none_of_what_the_unit_lacks_is_given_and_one_refused) {
     assert_int_equal(fmi3SetShiftDecimal(instance, NULL, 0, NULL), fmi3OK);
     assert_int_equal(fmi3SetShiftFraction(instance, NULL, 0, NULL, NULL), fmi3OK);
     assert_int_equal(message_count, 0);
-    ASKS_FOR_ONE(Float32);
-    ASKS_FOR_ONE(Int8);
-    ASKS_FOR_ONE(UInt8);
-    ASKS_FOR_ONE(Int16);
-    ASKS_FOR_ONE(UInt16);
-    ASKS_FOR_ONE(UInt32);
-    ASKS_FOR_ONE(UInt64);
+    TYPES_OF_NONE(ASKS_FOR_ONE)
     assert_int_equal(fmi3GetBinary(instance, &reference, 1, NULL, NULL, 1), fmi3Error);
     assert_int_equal(fmi3SetBinary(instance, &reference, 1, NULL, NULL, 1), fmi3Error);
     assert_int_equal(fmi3GetClock(instance, &reference, 1, NULL), fmi3Error);
