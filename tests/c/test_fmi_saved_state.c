@@ -235,22 +235,32 @@ static void assert_changed(const fmi_interface *fmi, void *instance) {
     assert_true(value_of(fmi, instance, "solver.relative_tolerance") == 1e-8);
 }
 
-FMI_TEST(a_changed_run_is_resumed) {
-    for (fmi_kind kind = EXCHANGE; kind < fmi->kinds; ++kind) {
-        void *straight = new_of_kind(fmi, kind), *resumed = new_of_kind(fmi, kind);
+/* Saved states do not depend on FMI's version. */
+FMI_TEST(a_changed_run_is_resumed_in_either_version) {
+    const fmi_interface *const versions[] = {&fmi2, &fmi3};
+    for (int i = 0; i < 2 * (int)fmi->kinds; ++i) {
+        const fmi_kind kind = (fmi_kind)(i / 2);
+        const fmi_interface *version = versions[i % 2];
+        if (kind >= version->kinds) {
+            continue;
+        }
+        void *straight = new_of_kind(fmi, kind), *resumed = new_of_kind(version, kind);
         change(fmi, straight);
         begin(fmi, straight, kind);
         go_on(fmi, straight, kind, 13.0);
-        assert_int_equal(copy_state(fmi, straight, resumed), FMI_OK);
-        assert_same(fmi, straight, resumed);
-        assert_changed(fmi, resumed);
+        const serialized state = serialize(fmi, straight);
+        assert_int_equal(restore(version, resumed, &state), FMI_OK);
+        assert_state(version, resumed, &state);
+        assert_changed(version, resumed);
         take_left_event(fmi, straight, kind);
-        take_left_event(fmi, resumed, kind);
-        set_values(fmi, resumed, "ground.friction=0.3");
+        take_left_event(version, resumed, kind);
         set_values(fmi, straight, "ground.friction=0.3");
+        set_values(version, resumed, "ground.friction=0.3");
         go_on(fmi, straight, kind, 20.0);
-        go_on(fmi, resumed, kind, 20.0);
-        assert_same(fmi, straight, resumed);
+        go_on(version, resumed, kind, 20.0);
+        const serialized end = serialize(fmi, straight);
+        assert_state(version, resumed, &end);
+        assert_same_states(fmi, straight, version, resumed, 0.0);
         assert_true(value_of(fmi, straight, "energy.impact_loss") > 0.0);
     }
 }
@@ -312,44 +322,17 @@ FMI_TEST(a_state_from_before_the_start_takes_more_start_values) {
  * before. */
 FMI_TEST(restoring_replaces_parameters_and_what_follows_from_them) {
     const fmi_experiment coarse = {true, 1e-3, 0.0, true, 14.0};
-    void *saved = NULL;
-    void *light = new_of_kind(fmi, STEPS), *heavy = new_of_kind(fmi, STEPS);
-    initialize_unit(fmi, light);
-    step_by(fmi, light, 13.0);
-    assert_int_equal(fmi->save(light, &saved), FMI_OK);
+    void *light = new_after(fmi, 13.0), *heavy = new_of_kind(fmi, STEPS);
     set_values(fmi, heavy, "body.mass=2.0 ground.friction=10.0");
     assert_int_equal(fmi->enter_initialization(heavy, &coarse), FMI_OK);
     assert_int_equal(fmi->exit_initialization(heavy), FMI_OK);
     step_by(fmi, heavy, 13.0);
     assert_true(value_of(fmi, heavy, "stride.period") != 1.0 && value_of(fmi, heavy, "energy.total") > 0.0);
-    assert_int_equal(fmi->restore(heavy, saved), FMI_OK);
-    assert_true(value_of(fmi, heavy, "body.mass") == 1.0);
-    assert_true(value_of(fmi, heavy, "energy.total") == value_of(fmi, light, "energy.total"));
-    assert_true(value_of(fmi, heavy, "contact.fy") == value_of(fmi, light, "contact.fy"));
+    assert_int_equal(copy_state(fmi, light, heavy), FMI_OK);
     assert_same(fmi, light, heavy);
     step_by(fmi, light, 20.0);
     step_by(fmi, heavy, 20.0); /* beyond its own stop time */
     assert_same(fmi, light, heavy);
-    assert_int_equal(fmi->free_saved(light, &saved), FMI_OK);
-}
-
-/* Saved states do not depend on FMI's version. */
-FMI_TEST(a_state_goes_on_in_the_other_version) {
-    const fmi_interface *other_version = fmi == &fmi2 ? &fmi3 : &fmi2;
-    for (fmi_kind kind = EXCHANGE; kind <= STEPS; ++kind) {
-        void *instance = new_of_kind(fmi, kind), *other = new_of_kind(other_version, kind);
-        change(fmi, instance);
-        begin(fmi, instance, kind);
-        go_on(fmi, instance, kind, 13.0);
-        const serialized state = serialize(fmi, instance);
-        assert_int_equal(restore(other_version, other, &state), FMI_OK);
-        assert_changed(other_version, other);
-        go_on(fmi, instance, kind, 20.0);
-        go_on(other_version, other, kind, 20.0);
-        assert_same_states(fmi, instance, other_version, other, 0.0);
-        assert_true(value_of(fmi, instance, "der(leg.angle_rate)") ==
-                    value_of(other_version, other, "der(leg.angle_rate)"));
-    }
 }
 
 /* The stop time and the counters of work go with the run. */
