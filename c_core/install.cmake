@@ -11,7 +11,7 @@ set(engine affine_law.c ensemble.c member.c member.h normal_deviates.c page_memb
 list(TRANSFORM engine PREPEND ensemble/)
 install(FILES ${engine} model/refusal.c model/refusal.h solver/stride_limits.h DESTINATION tdmf_slip/ensemble COMPONENT unit EXCLUDE_FROM_ALL)
 install(FILES ${declarations} DESTINATION tdmf_slip/library COMPONENT unit EXCLUDE_FROM_ALL)
-install(FILES derived/unit/data.py derived/unit/classic_slip.json DESTINATION tdmf_slip/variables COMPONENT unit EXCLUDE_FROM_ALL)
+install(FILES derived/unit/data.py derived/unit/classic_slip.json derived/unit/runner.json DESTINATION tdmf_slip/variables COMPONENT unit EXCLUDE_FROM_ALL)
 
 include(CMakePackageConfigHelpers)
 set(package_directory ${CMAKE_INSTALL_LIBDIR}/cmake/tdmf_slip)

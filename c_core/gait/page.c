@@ -318,30 +318,42 @@ bool tdmf_page_place(const tdmf_page_map *map, const double *point, double *stat
 
 /* ---- runs from the start ------------------------------------------------------------------------------- */
 
-/* Writes a row of samples at the present states of a run. */
+/* Writes a row of samples at the present states of a run. A mode that ends the run may keep the outputs of
+ * the mode before; their states are then written into the memory of the run. */
 static void write_sample(const tdmf_model_kind *model, const tdmf_page_run *r,
                          const tdmf_page_samples *samples, int row) {
     const tdmf_mode_kind *mode = &model->modes[r->mode];
-    double *states = samples->states + (size_t)row * (size_t)model->state_count;
-    double *outputs = samples->outputs + (size_t)row * (size_t)model->output_count;
-    memcpy(states, r->x, (size_t)model->state_count * sizeof *states);
+    const tdmf_mode_kind *shown = &model->modes[mode->keeps_outputs ? r->left : r->mode];
+    const bool is_seen_anew = shown != mode && shown->from_world;
+    const size_t size = (size_t)model->state_count, outputs = (size_t)model->output_count;
+    double *states = samples->states + (size_t)row * size, *x = is_seen_anew ? r->memory : r->x;
+    memcpy(states, r->x, size * sizeof *states);
     if (mode->to_world) {
         mode->to_world(r->p, r->x, states);
     }
-    if (mode->outputs) {
-        mode->outputs(r->p, r->x, outputs);
+    if (is_seen_anew) {
+        memcpy(x, states, size * sizeof *x);
+        shown->from_world(r->p, states, x);
+    }
+    if (shown->outputs) {
+        shown->outputs(r->p, x, samples->outputs + (size_t)row * outputs);
     }
     samples->modes[row] = r->mode;
     for (int seed = 0; samples->d_states && seed < r->seed_count; ++seed) {
         const size_t of_row = (size_t)row * (size_t)r->seed_count + (size_t)seed;
-        const double *dp = r->dp + seed * model->parameter_count, *dx = r->dx + seed * model->state_count;
-        double *varied = samples->d_states + of_row * (size_t)model->state_count;
-        memcpy(varied, dx, (size_t)model->state_count * sizeof *varied);
+        const double *dp = r->dp + seed * model->parameter_count;
+        double *own = r->dx + (size_t)seed * size, *varied = samples->d_states + of_row * size;
+        double *dx = is_seen_anew ? r->memory + size : own;
+        memcpy(varied, own, size * sizeof *varied);
         if (mode->vary_to_world) {
-            mode->vary_to_world(r->p, r->x, dp, dx, varied);
+            mode->vary_to_world(r->p, r->x, dp, own, varied);
         }
-        if (mode->vary_outputs) {
-            mode->vary_outputs(r->p, r->x, dp, dx, samples->d_outputs + of_row * (size_t)model->output_count);
+        if (is_seen_anew) {
+            memcpy(dx, varied, size * sizeof *dx);
+            shown->vary_from_world(r->p, states, dp, varied, dx);
+        }
+        if (shown->vary_outputs) {
+            shown->vary_outputs(r->p, x, dp, dx, samples->d_outputs + of_row * outputs);
         }
     }
 }
@@ -349,13 +361,12 @@ static void write_sample(const tdmf_model_kind *model, const tdmf_page_run *r,
 static tdmf_run_outcome sample(const tdmf_model_kind *model, tdmf_page_run *r,
                                const tdmf_page_samples *samples, int *sampled) {
     tdmf_run_outcome outcome = TDMF_RUN_ARRIVED;
-    *sampled = 0;
-    for (int row = 0; row < samples->count && outcome == TDMF_RUN_ARRIVED; ++row) {
-        outcome = tdmf_page_run_to(model, r, samples->times[row]);
-        if (outcome == TDMF_RUN_ARRIVED) {
-            write_sample(model, r, samples, row);
-            *sampled = row + 1;
+    for (*sampled = 0; *sampled < samples->count; ++*sampled) {
+        outcome = outcome == TDMF_RUN_ENDED ? outcome : tdmf_page_run_to(model, r, samples->times[*sampled]);
+        if (outcome != TDMF_RUN_ARRIVED && outcome != TDMF_RUN_ENDED) {
+            break;
         }
+        write_sample(model, r, samples, *sampled);
     }
     return outcome;
 }

@@ -118,7 +118,7 @@ const char *tdmf_return_outcome_text(tdmf_return_outcome outcome) {
 /* ---- variations ---------------------------------------------------------------------------------------- */
 
 /* The change of the start along coordinate i of the section, along a seed, or along x. On the page's section
- * the centre of mass is at x = 0; here the foot is at a given place. */
+ * the foot is at x = 0; here it is at a given place. */
 static tdmf_page_direction direction_at_start(const tdmf_stride_request *request,
                                               const tdmf_page_point *point, int i) {
     static const tdmf_seed none = {0};
@@ -137,7 +137,8 @@ static tdmf_page_direction direction_at_start(const tdmf_stride_request *request
     runner_states seen = d.x;
     tdmf_runner_model.sections->vary_enter(p, x, dp, (const double *)&d.x, request->apex, along,
                                            (double *)&seen);
-    seen.seen_y += rise * (along_x - seen.seen_x) + (1.0 + rise * rise) * d.x.slope * point->x.com_x;
+    seen.seen_y +=
+        rise * along_x + (1.0 + rise * rise) * d.x.slope * (request->foot_x ? *request->foot_x : 0.0);
     seen.seen_x = along_x;
     d.x = seen;
     tdmf_runner_model.modes[point->mode].vary_from_world(p, x, dp, (const double *)&seen, (double *)&d.x);

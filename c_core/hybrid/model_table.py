@@ -53,8 +53,9 @@ def table_of(page):
         "outputs": [
             {
                 "name": name, "public": page.model.public(name), "unit": of.unit,
-                "meaning": " ".join((of.__doc__ or "").split()),
+                "meaning": " ".join((of.__doc__ or "").split()).removesuffix("."),
+                "is_enumeration": isinstance(kind, tuple) and kind[0] != "letters",
             }
-            for name, of in page.outputs.items()
+            for name, of, kind in ((n, f, f.kind_of_value) for n, f in page.outputs.items())
         ],
     }  # fmt: skip

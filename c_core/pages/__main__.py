@@ -108,8 +108,10 @@ files = {f"c_core/derived/pages/{name}": text for name, text in texts.items()} |
     "c_core/derived/unit/fmi3/terminalsAndIcons/terminalsAndIcons.xml": terminals(unit),
     "c_core/derived/unit/index.html": documentation_page(unit, template),
     "c_core/derived/unit/data.py": package_table(unit),
-    "c_core/derived/unit/classic_slip.json": json.dumps(table_of(pages[ClassicSlip]), indent=1) + "\n",
     "c_core/derived/unit/sources.txt": "\n".join([*sorted(places), ""]),
     "c_core/include/tdmf_slip/variables.h": declarations(unit),
 }
+for model in (ClassicSlip, Runner):
+    table = json.dumps(table_of(pages[model]), indent=1)
+    files[f"c_core/derived/unit/{pages[model].c}.json"] = f"{table}\n"
 write_files(folder, files)

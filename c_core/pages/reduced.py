@@ -1,6 +1,6 @@
 """The reduced map: the leg is placed in flight as if by itself, so that an apex has two coordinates."""
 
-from ..hybrid import Record, cos, event, mode, output, section
+from ..hybrid import Record, cos, event, mode, output, section, sin
 from .hip import PLACE, RETRACT
 from .runner import PlainRunner, RunnerOnOneLine
 
@@ -29,9 +29,11 @@ class ReducedRunner(RunnerOnOneLine):
     @section("apex", "apex_com_height apex_com_speed")
     def at_apex(r, at):
         """A start at an apex, with the centre of mass at x = 0 and the leg at rest."""
-        return super().at_apex(Record(
+        start = super().at_apex(Record(
             **vars(at), apex_length=r.free_length + r.extension, apex_length_rate=0,
             apex_angle=r.touchdown_angle + r.more_angle, apex_angle_rate=0))
+        center, slope = start.center().x, r.set_slope()
+        return start.replace(seen_x=-center, seen_y=start.seen_y - sin(slope) / cos(slope) * center)
 
     @event("start_of_run", when=lambda r: -1, counted=False)
     def begins(r):

@@ -110,12 +110,13 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
 
     @section("apex", "apex_com_height apex_com_speed apex_length apex_angle apex_length_rate apex_angle_rate")
     def at_apex(r, at):
-        """A start at an apex, with the centre of mass at x = 0."""
+        """A start at an apex, with the foot at x = 0."""
         leg = r.replace(length=at.apex_length, angle=at.apex_angle, length_rate=at.apex_length_rate,
                         angle_rate=at.apex_angle_rate)
-        body, share = leg.body_from_foot(), r.share()
+        body, share, slope = leg.body_from_foot(), r.share(), r.set_slope()
+        ground = r.set_height() + sin(slope) / cos(slope) * (share * body.x)
         return leg.replace(
-            seen_x=-share * body.x, seen_y=r.set_height() + at.apex_com_height - share * body.y,
+            seen_x=0, seen_y=ground + at.apex_com_height - share * body.y,
             seen_vx=at.apex_com_speed - share * body.vx, seen_vy=-share * body.vy)
 
     # ---- modes

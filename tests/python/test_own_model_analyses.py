@@ -20,6 +20,7 @@ from tdmf_slip import (
     stride_map,
     sweep,
 )
+from tdmf_slip.library.own_model import package_model
 
 pytestmark = pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
 NO_GAINS = {"hip.stance_kp": 0.0, "hip.stance_kd": 0.0}
@@ -196,6 +197,15 @@ def test_a_simulation_of_the_ball_by_its_unit_is_its_parabolas(ball):
     assert "height" in steps and "energy" not in steps and steps.sizes["time"] == 1001
     with pytest.raises(InputError, match=r"strides: the unit MyBall.fmu does not count them; allowed: stop_"):
         tdmf_slip.simulate(ball, strides=3)
+
+
+def test_a_gait_on_sloped_ground_by_the_whole_page_is_that_of_the_built_in_runner():
+    """The page also has a held state that is called `ground.slope`: the slope of the line in force."""
+    given = {"ground.slope": 0.02, "ground.height": 0.5, "friction": 0.43}
+    by_page = Runner(package_model("runner", "at_apex"), **given)
+    mine, own = find_gait(by_page), find_gait(**given)
+    assert mine.apex == pytest.approx(own.apex, abs=1e-10)
+    assert mine.stride["rise"] == pytest.approx(own.stride["rise"], abs=1e-10) and own.stride["rise"] > 0.1
 
 
 def test_derivatives_of_a_trajectory_are_those_of_the_engine(paper_s):

@@ -25,6 +25,9 @@ def test_a_trajectory_is_the_units_run(runner):
     run = trajectory(gait, times=unit["time"])
     compared = 0
     for name in set(run.data_vars) & set(unit.data_vars):
+        if unit[name].dtype.kind in "OUT":
+            assert (run[name].values == unit[name].values).all()
+            continue
         values = np.asarray(unit[name], float)
         scale = max(1.0, np.abs(values).max())
         assert np.abs(run[name].values - values).max() < 1e-9 * scale, name
@@ -49,7 +52,7 @@ def test_a_trajectory_is_that_of_an_independent_integration(friction):
 
 
 NAMES = (*COORDINATES, "leg.damping", "ground.friction", "body.mass", "foot.mass", "ground.slope")
-STEP = 1e-6
+STEP = 2e-7
 
 
 def test_derivatives_are_differences():

@@ -1,1 +1,1 @@
-#define FMU_GUID "{c18064b1-6fac-113a-d4cd-ea0fdac4d5d3}"
+#define FMU_GUID "{b00c1db9-eeae-007f-3f6f-6dab0c2f09c5}"

@@ -2242,7 +2242,7 @@ static void vary_leave_graze(const real *parameters, const real *states, const r
     y->mode_began = dx->time;
 }
 
-/* at_apex: A start at an apex, with the centre of mass at x = 0. */
+/* at_apex: A start at an apex, with the foot at x = 0. */
 static void enter_at_apex(const real *parameters, const real *states, const real *at, real *after) {
     const plain_runner_parameters *p = (const void *)parameters;
     plain_runner_states *y = (void *)after;
@@ -2254,13 +2254,13 @@ static void enter_at_apex(const real *parameters, const real *states, const real
     const real at_apex_length_rate = at[4];
     const real at_apex_angle_rate = at[5];
     const real share = p->body_mass / (p->body_mass + p->foot_mass);
-    const real sine = real_sin(at_apex_angle);
     const real cosine = real_cos(at_apex_angle);
     const real y_2 = at_apex_length * cosine;
+    const real sine = real_sin(at_apex_angle);
     const real turn = at_apex_length * at_apex_angle_rate;
     const real vx = -(at_apex_length_rate * sine) - turn * cosine;
     const real vy = at_apex_length_rate * cosine - turn * sine;
-    y->seen_x = share * (at_apex_length * sine);
+    y->seen_x = 0.0;
     y->seen_y = at_apex_com_height - share * y_2;
     y->length = at_apex_length;
     y->angle = at_apex_angle;
@@ -2290,22 +2290,21 @@ static void vary_enter_at_apex(const real *parameters, const real *states, const
     const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
     const real share = p->body_mass / body_mass_plus_foot_mass;
     const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
-    const real sine = real_sin(at_apex_angle);
     const real cosine = real_cos(at_apex_angle);
-    const real d_sine = cosine * d_at_apex_angle;
     const real y_2 = at_apex_length * cosine;
+    const real sine = real_sin(at_apex_angle);
     const real sine_times_d_at_apex_angle = sine * d_at_apex_angle;
     const real d_y = d_at_apex_length * cosine - at_apex_length * sine_times_d_at_apex_angle;
     const real turn = at_apex_length * at_apex_angle_rate;
     const real vx = -(at_apex_length_rate * sine) - turn * cosine;
+    const real d_sine = cosine * d_at_apex_angle;
     const real d_turn = d_at_apex_length * at_apex_angle_rate + at_apex_length * d_at_apex_angle_rate;
     const real d_vx = -(d_at_apex_length_rate * sine + at_apex_length_rate * d_sine) - (d_turn * cosine
         - turn * sine_times_d_at_apex_angle);
     const real vy = at_apex_length_rate * cosine - turn * sine;
     const real d_vy = d_at_apex_length_rate * cosine - at_apex_length_rate * sine_times_d_at_apex_angle
         - (d_turn * sine + turn * d_sine);
-    y->seen_x = d_share * (at_apex_length * sine) + share * (d_at_apex_length * sine
-        + at_apex_length * d_sine);
+    y->seen_x = 0.0;
     y->seen_y = d_at_apex_com_height - (d_share * y_2 + share * d_y);
     y->length = d_at_apex_length;
     y->angle = d_at_apex_angle;

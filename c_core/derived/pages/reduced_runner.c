@@ -3224,10 +3224,13 @@ static void enter_at_apex(const real *parameters, const real *states, const real
     const real touchdown_angle_plus_more_angle = p->touchdown_angle + p->more_angle;
     const real sine = real_sin(touchdown_angle_plus_more_angle);
     const real free_length_plus_extension = p->free_length + x->extension;
+    const real ratio_times_product = real_sin(p->ground_slope) / real_cos(p->ground_slope) * (share * (sine *
+        free_length_plus_extension));
+    const real ground = p->ground_height - ratio_times_product;
     const real cosine = real_cos(touchdown_angle_plus_more_angle);
     const real y_2 = cosine * free_length_plus_extension;
     y->seen_x = share * (sine * free_length_plus_extension);
-    y->seen_y = p->ground_height + at_apex_com_height - share * y_2;
+    y->seen_y = ground + at_apex_com_height - share * y_2 + ratio_times_product;
     y->length = free_length_plus_extension;
     y->angle = touchdown_angle_plus_more_angle;
     y->seen_vx = at_apex_com_speed;
@@ -3253,16 +3256,25 @@ static void vary_enter_at_apex(const real *parameters, const real *states, const
     const real touchdown_angle_plus_more_angle = p->touchdown_angle + p->more_angle;
     const real sine = real_sin(touchdown_angle_plus_more_angle);
     const real free_length_plus_extension = p->free_length + x->extension;
+    const real sine_times_free_length_plus_extension = sine * free_length_plus_extension;
     const real cosine = real_cos(touchdown_angle_plus_more_angle);
     const real touchdown_angle_plus_more_angle_2 = dp->touchdown_angle + dp->more_angle;
     const real d_sine = cosine * touchdown_angle_plus_more_angle_2;
     const real free_length_plus_extension_2 = dp->free_length + dx->extension;
+    const real cos_of_ground_slope = real_cos(p->ground_slope);
+    const real sin_of_ground_slope = real_sin(p->ground_slope);
+    const real ratio = sin_of_ground_slope / cos_of_ground_slope;
+    const real product_plus_product = (cos_of_ground_slope * dp->ground_slope
+        + ratio * (sin_of_ground_slope * dp->ground_slope)) / cos_of_ground_slope * (share *
+        sine_times_free_length_plus_extension) + ratio * (d_share * sine_times_free_length_plus_extension
+        + share * (d_sine * free_length_plus_extension + sine * free_length_plus_extension_2));
+    const real d_ground = dp->ground_height - product_plus_product;
     const real y_2 = cosine * free_length_plus_extension;
     const real d_y = cosine * free_length_plus_extension_2
         - sine * touchdown_angle_plus_more_angle_2 * free_length_plus_extension;
-    y->seen_x = d_share * (sine * free_length_plus_extension) + share * (d_sine * free_length_plus_extension
-        + sine * free_length_plus_extension_2);
-    y->seen_y = dp->ground_height + d_at_apex_com_height - (d_share * y_2 + share * d_y);
+    y->seen_x = d_share * sine_times_free_length_plus_extension
+        + share * (d_sine * free_length_plus_extension + sine * free_length_plus_extension_2);
+    y->seen_y = d_ground + d_at_apex_com_height - (d_share * y_2 + share * d_y) + product_plus_product;
     y->length = free_length_plus_extension_2;
     y->angle = touchdown_angle_plus_more_angle_2;
     y->seen_vx = d_at_apex_com_speed;

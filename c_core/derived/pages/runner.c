@@ -7103,7 +7103,7 @@ static void set_more_thrust_slip_constant(const real *parameters, const real *st
     y->positive_leg_work = x->positive_leg_work + select(work > 0.0, work, begins);
 }
 
-/* at_apex: A start at an apex, with the centre of mass at x = 0. */
+/* at_apex: A start at an apex, with the foot at x = 0. */
 static void enter_at_apex(const real *parameters, const real *states, const real *at, real *after) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
@@ -7114,16 +7114,19 @@ static void enter_at_apex(const real *parameters, const real *states, const real
     const real at_apex_angle = at[3];
     const real at_apex_length_rate = at[4];
     const real at_apex_angle_rate = at[5];
+    const real set_height = p->ground_height + x->segment_height;
+    const real set_slope = p->ground_slope + x->segment_slope;
     const real share = p->body_mass / (p->body_mass + p->foot_mass);
     const real sine = real_sin(at_apex_angle);
-    const real set_height = p->ground_height + x->segment_height;
+    const real ground = set_height
+        - real_sin(set_slope) / real_cos(set_slope) * (share * (at_apex_length * sine));
     const real cosine = real_cos(at_apex_angle);
     const real y_2 = at_apex_length * cosine;
     const real turn = at_apex_length * at_apex_angle_rate;
     const real vx = -(at_apex_length_rate * sine) - turn * cosine;
     const real vy = at_apex_length_rate * cosine - turn * sine;
-    y->seen_x = share * (at_apex_length * sine);
-    y->seen_y = set_height + at_apex_com_height - share * y_2;
+    y->seen_x = 0.0;
+    y->seen_y = ground + at_apex_com_height - share * y_2;
     y->length = at_apex_length;
     y->angle = at_apex_angle;
     y->seen_vx = at_apex_com_speed - share * vx;
@@ -7136,10 +7139,10 @@ static void enter_at_apex(const real *parameters, const real *states, const real
 static void vary_enter_at_apex(const real *parameters, const real *states, const real *d_parameters,
     const real *d_states, const real *at, const real *d_at, real *after) {
     const runner_parameters *p = (const void *)parameters;
+    const runner_states *x = (const void *)states;
     const runner_parameters *dp = (const void *)d_parameters;
     const runner_states *dx = (const void *)d_states;
     runner_states *y = (void *)after;
-    (void)states;
     const real at_apex_length = at[2];
     const real at_apex_angle = at[3];
     const real at_apex_length_rate = at[4];
@@ -7150,13 +7153,24 @@ static void vary_enter_at_apex(const real *parameters, const real *states, const
     const real d_at_apex_angle = d_at[3];
     const real d_at_apex_length_rate = d_at[4];
     const real d_at_apex_angle_rate = d_at[5];
+    const real d_set_height = dp->ground_height + dx->segment_height;
+    const real set_slope = p->ground_slope + x->segment_slope;
+    const real cos_of_set_slope = real_cos(set_slope);
+    const real d_set_slope = dp->ground_slope + dx->segment_slope;
+    const real sin_of_set_slope = real_sin(set_slope);
+    const real sin_of_set_slope_over_cos_of_set_slope = sin_of_set_slope / cos_of_set_slope;
     const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
     const real share = p->body_mass / body_mass_plus_foot_mass;
-    const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
     const real sine = real_sin(at_apex_angle);
+    const real at_apex_length_times_sine = at_apex_length * sine;
+    const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
     const real cosine = real_cos(at_apex_angle);
     const real d_sine = cosine * d_at_apex_angle;
-    const real d_set_height = dp->ground_height + dx->segment_height;
+    const real d_ground = d_set_height - ((cos_of_set_slope * d_set_slope
+        + sin_of_set_slope_over_cos_of_set_slope * (sin_of_set_slope * d_set_slope)) / cos_of_set_slope *
+        (share * at_apex_length_times_sine)
+        + sin_of_set_slope_over_cos_of_set_slope * (d_share * at_apex_length_times_sine
+        + share * (d_at_apex_length * sine + at_apex_length * d_sine)));
     const real y_2 = at_apex_length * cosine;
     const real sine_times_d_at_apex_angle = sine * d_at_apex_angle;
     const real d_y = d_at_apex_length * cosine - at_apex_length * sine_times_d_at_apex_angle;
@@ -7168,9 +7182,8 @@ static void vary_enter_at_apex(const real *parameters, const real *states, const
     const real vy = at_apex_length_rate * cosine - turn * sine;
     const real d_vy = d_at_apex_length_rate * cosine - at_apex_length_rate * sine_times_d_at_apex_angle
         - (d_turn * sine + turn * d_sine);
-    y->seen_x = d_share * (at_apex_length * sine) + share * (d_at_apex_length * sine
-        + at_apex_length * d_sine);
-    y->seen_y = d_set_height + d_at_apex_com_height - (d_share * y_2 + share * d_y);
+    y->seen_x = 0.0;
+    y->seen_y = d_ground + d_at_apex_com_height - (d_share * y_2 + share * d_y);
     y->length = d_at_apex_length;
     y->angle = d_at_apex_angle;
     y->seen_vx = d_at_apex_com_speed - (d_share * vx + share * d_vx);

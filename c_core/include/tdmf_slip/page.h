@@ -22,8 +22,8 @@ typedef struct tdmf_page tdmf_page;
  * or version has another. In the package's library it is "package". */
 TDMF_API const char *tdmf_page_build(void);
 
-/* Returns the model with a name: "classic_slip" or "reduced_runner", or, in a library that `tdmf-slip build`
- * has made, the name of its page. Returns NULL for any other name. */
+/* Returns the model with a name: "classic_slip", "reduced_runner" or "runner", or, in a library that
+ * `tdmf-slip build` has made, the name of its page. Returns NULL for any other name. */
 TDMF_API const tdmf_page *tdmf_page_named(const char *name);
 
 /* Kinds of named parts of a model. */
@@ -115,9 +115,9 @@ TDMF_API bool tdmf_page_fixed_point(const tdmf_page_map *map, double *point);
  * point is refused. */
 TDMF_API bool tdmf_page_place(const tdmf_page_map *map, const double *point, double *states);
 
-/* Values at some times of a run, a row for each time. Times increase. Derivatives are those at a fixed time,
- * by the coordinates of the point, where there is one, then along the seeds: a row for each time and each of
- * these. */
+/* Values at some times of a run, a row for each time. Times increase. A run that has ended stays where it is.
+ * Derivatives are those at a fixed time, by the coordinates of the point, where there is one, then along the
+ * seeds: a row for each time and each of these. */
 typedef struct {
     int count;           /* times */
     const double *times; /* s */
@@ -129,8 +129,8 @@ typedef struct {
 } tdmf_page_samples;
 
 /* Runs from the start of the model, with the parameters and states of the map, to the first crossing of its
- * section. With `samples`, which may be NULL, the run goes on until the last time, or until it ends, and
- * needs a section only for a point; the first `*sampled` rows are then written. */
+ * section. With `samples`, which may be NULL, the run goes on until the last time, and needs a section only
+ * for a point; the first `*sampled` rows are then written, all unless the run cannot be followed. */
 TDMF_API tdmf_page_end tdmf_page_begin(const tdmf_page_map *map, double *states,
                                        const tdmf_page_samples *samples, int *sampled);
 

@@ -123,7 +123,7 @@ class OwnModel(Model):
         """Place of each value of a runner: whether it is a state, and its number."""
         places = {
             of["public"]: (kind == "states", number)
-            for kind in ("parameters", "states")
+            for kind in ("states", "parameters")  # a held state may have the name of a parameter
             for number, of in enumerate(self.table[kind])
         }
         return tuple(places[name] for name in self.names)
@@ -165,7 +165,7 @@ class OwnModel(Model):
     def words(self, codes: Iterable[float], events: Iterable[Iterable[int]]) -> list[str]:
         """Words of strides: texts whose letters are the digits of numbers, or names of events."""
         if self.letters:
-            return [_text(code, self.letters) for code in codes]
+            return [text_of_code(code, self.letters) for code in codes]
         names = self.table["events"]
         return [BETWEEN_EVENTS.join(names[event] for event in row) for row in events]
 
@@ -286,7 +286,7 @@ def package_model(name: str, section: str) -> OwnModel:
     return _model(None, table, number, c)
 
 
-def _text(code: float, letters: str) -> str:
+def text_of_code(code: float, letters: str) -> str:
     """A text whose letters are the digits of a number; empty for a number below 0."""
     digits, rest = [], int(code)
     while rest > 0:

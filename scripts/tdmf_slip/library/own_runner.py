@@ -3,27 +3,19 @@
 import math
 from collections.abc import Sequence
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, NoReturn
+from typing import Any, NoReturn
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..checks import check_size
-from ..errors import GaitNotFoundError, InputError
-from ..record import dataset
+from ..errors import GaitNotFoundError, InputError, RunError
 from ..variables.table import DIMENSIONS
 from .binding import c, ffi
 from .members import Along
 from .own_model import OwnModel
-from .own_runs import SEEDS, MapRequest, OwnStrides, seeds_of, strides_of
+from .own_runs import MapRequest, OwnStrides, seeds_of, strides_of
 from .runner import Runner
 from .section import Apex, checked_apex
-
-if TYPE_CHECKING:
-    import xarray
-
-MAX_ROWS = 1_000_000
-"""Rows of a trajectory."""
 
 
 class OwnRunner(Runner):
@@ -126,63 +118,24 @@ class OwnRunner(Runner):
         found = {name: float(states[number]) for name, (is_state, number) in places if is_state}
         return {name: value for name, value in found.items() if name not in self.model.varied}
 
-    def trajectory(
+    def sampled(
         self,
         times: NDArray[np.float64],
-        apex: NDArray[np.float64] | None = None,
-        derivatives: Sequence[str] = (),
-    ) -> "xarray.Dataset":
-        """States and outputs along a run of the engine from the start values, at times that rise from 0 on.
-
-        With `apex`, the run begins at that point of the section. The run ends before the last time where it
-        reaches a mode that ends runs.
-        """
-        check_size("times", len(times) * max(1, len(derivatives)), "rows", MAX_ROWS)
-        along = [name for name in derivatives if name not in self.coordinates]
-        blocks = [along[first : first + SEEDS] for first in range(0, max(1, len(along)), SEEDS)]
-        rows, varied, modes = self._sampled(times, apex, blocks[0], bool(derivatives))
-        made, table = len(modes), self.model.table
-        seen = {"states": lambda of: of["role"] in ("start", "input") or of["is_named"], "outputs": bool}
-        shown = [
-            (of, kind, number)
-            for kind in ("outputs", "states")
-            for number, of in enumerate(table[kind])
-            if seen[kind](of)
-        ]
-        variables: dict[str, Any] = {
-            of["public"]: ("time", rows[kind][:, number], {"units": of["unit"], "long_name": of["meaning"]})
-            for of, kind, number in shown
-        }
-        axes: dict[str, Any] = {"time": ("time", times[:made], {"units": "s"})}
-        if derivatives:
-            more = [self._sampled(times, apex, block, True)[1] for block in blocks[1:]]
-            first = 0 if apex is None else len(self.coordinates)
-            known = [*(self.coordinates if first else ()), *along]
-            chosen = [known.index(name) for name in derivatives]
-            for of, kind, number in shown:
-                by = np.concatenate([varied[kind], *(of_block[kind][:, first:] for of_block in more)], axis=1)
-                variables[f"d_{of['public']}"] = ("time", "by"), by[:, chosen, number]
-            axes["by"] = list(derivatives)
-        names = np.array([" ".join(mode) for mode in table["modes"]])
-        variables["mode"] = "time", names[modes], {"long_name": "mode"}
-        return dataset("trajectory", self.record(), variables, axes)
-
-    def _sampled(
-        self,
-        times: NDArray[np.float64],
-        apex: NDArray[np.float64] | None,
+        point: NDArray[np.float64] | None,
         along: Sequence[str],
         is_varied: bool,
-    ) -> tuple[dict[str, NDArray[np.float64]], dict[str, NDArray[np.float64]], NDArray[np.intc]]:
-        """States and outputs, their derivatives by coordinates and then along seeds, and modes, at times."""
+    ) -> tuple[dict[str, NDArray[np.float64]], dict[str, NDArray[np.float64]], NDArray[np.intc], bool]:
+        """States and outputs along a run at times, their derivatives, modes, and whether the run has ended.
+
+        Derivatives are by the coordinates of the point, if the run begins at one, and then along seeds.
+        """
         times, table, count = np.ascontiguousarray(times, float), self.model.table, ffi.new("int *")
-        by = (0 if apex is None else len(apex)) + len(along)
+        by = (0 if point is None else len(point)) + len(along)
         sizes = {name: len(table[name]) for name in ("states", "outputs")}
         rows = {name: np.zeros((len(times), size)) for name, size in sizes.items()}
         varied = {name: np.zeros((len(times), by, size)) for name, size in sizes.items()}
         modes, end = np.zeros(len(times), np.intc), np.zeros(self.states.shape[1])
         samples = ffi.new("tdmf_page_samples *")
-        point = None if apex is None else np.ascontiguousarray(apex, float)
         samples.count, samples.times = len(times), ffi.from_buffer("double[]", times)
         samples.point = ffi.NULL if point is None else ffi.from_buffer("double[]", point)
         samples.states, samples.outputs = (ffi.from_buffer("double[]", array) for array in rows.values())
@@ -204,9 +157,10 @@ class OwnRunner(Runner):
         )
         if found.outcome == c.TDMF_PAGE_REFUSED:
             raise InputError(f"the start: {self.model.why_refused(found.requirement, end)}")
-        made = int(count[0])
-        rows, varied = ({name: array[:made] for name, array in of.items()} for of in (rows, varied))
-        return rows, varied, modes[:made]
+        if count[0] < len(times):
+            mode = " ".join(table["modes"][found.mode])
+            raise RunError(f"at {found.time:g} s: the run cannot be followed in the mode `{mode}`")
+        return rows, varied, modes, found.outcome == c.TDMF_PAGE_ENDED
 
     def _refuse(self, what: str) -> NoReturn:
         raise InputError(f"{what}: is for the package's own models; this is the model {self.model.name}")

@@ -358,15 +358,20 @@ class Runner(Mapping[str, Value]):
             They are refused, or the foot is not above the ground.
         """
         apex = self.apex()
-        motion = ffi.new("tdmf_motion *")
-        self._write_state(apex, motion.state)
-        check_accepted(c.tdmf_start(self.c_system, motion))
+        motion = self.started(apex)
         if not motion.record.progress.open.began_at_apex:
             height = motion.state[STATES.index("foot.y")]
             raise InputError(
                 f"start values: foot.y = {height:g}: the search for a gait begins in flight; allowed: above 0"
             )
         return apex
+
+    def started(self, apex: NDArray[np.float64]) -> Any:
+        """The start of a run at an apex, as a `tdmf_motion *`. Raises InputError where it is refused."""
+        motion = ffi.new("tdmf_motion *")
+        self._write_state(apex, motion.state)
+        check_accepted(c.tdmf_start(self.c_system, motion))
+        return motion
 
     def state_at(self, apex: Apex) -> dict[str, float]:
         """The mechanical states at an apex; the foot, in the reduced map the centre of mass, is above x = 0.

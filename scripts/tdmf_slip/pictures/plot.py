@@ -47,7 +47,7 @@ PICTURES: Mapping[str, Picture] = {
     "runs": Picture("basin_map.of_runs", "fallen", (1,)),
     "strides": Picture("basin_map.of_strides", "fate", (2,)),
     "sweep": Picture("sweep_diagram.figure_of", "word", (1, 2)),
-    "trajectory": Picture("overview.of_trajectory", "time", (1,)),
+    "trajectory": Picture("overview.figure_of", "time", (1,)),
     "viability": Picture("basin_map.of_viable_set", "viable", (2,)),
 }
 """Pictures by the kind of a result: the name of its class, or a dataset's attribute `result`."""
