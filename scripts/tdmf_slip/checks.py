@@ -172,7 +172,7 @@ def check_names(
         if not is_one_of(name, known):
             near = near_matches(name, (*known, *also))
             allowed = allowed or ", ".join(known)
-            raise InputError(f"{what}: {shown(name)} is not allowed{near}; allowed: {allowed}")
+            raise InputError(f"{what}: {shown(name)} is not allowed; allowed: {allowed}{near}")
 
 
 def check_once(names: Iterable[object], what: str) -> None:

@@ -64,7 +64,7 @@ def test_the_command_prints_what_the_function_gives(command):
     [
         ([SLIPS], HOLD, VARY, "runners: 1 given; allowed: two or more"),
         ([SLIPS, STICKS], [], VARY, "hold: nothing is held"),
-        ([SLIPS, STICKS], ["sped"], VARY, "hold 'sped' is not allowed.*speed"),
+        ([SLIPS, STICKS], ["sped"], VARY, "hold: 'sped' is not allowed.*speed"),
         ([SLIPS, STICKS], ["speed", "speed"], VARY, "hold: speed is given twice"),
         ([SLIPS, STICKS], HOLD, VARY[:2], "at least as many"),
         ([SLIPS, STICKS], HOLD, [*VARY[:2], "hip.torq"], "hip.torq"),
