@@ -21,7 +21,7 @@ from ...pictures.panels import Stride
 from ...variables.parameters import read_parameters
 from ...variables.table import FRICTION
 from ..evidence import SWEPT
-from ..matched import over_friction
+from ..matched import match_gaits
 
 EQUAL = 48
 """Number of gaits over friction that are matched to the first one."""
@@ -62,7 +62,8 @@ class Results:
     @cached_property
     def equal(self) -> list[Gait]:
         """Gaits over friction, matched to the first one."""
-        return over_friction(self.gaits, EQUAL)
+        chosen = np.linspace(0, len(self.gaits) - 1, EQUAL).round().astype(int)
+        return match_gaits([self.gaits[0], *(self.gaits[number] for number in chosen)])
 
     @property
     def both(self) -> list[tuple[int, Gait]]:

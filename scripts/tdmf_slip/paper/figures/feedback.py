@@ -13,7 +13,7 @@ from ...feedback.judgement import RUNNERS, Judgement, judge_all
 from ...library.gait import Gait
 from ...pictures import style
 from ...pictures.style import CurveLabel
-from ..matched import match_gait
+from ..matched import match_gaits
 from .attraction import JUDGED
 from .data import Results, table_by, table_of
 from .over_friction import draw_means, friction_axis
@@ -49,41 +49,35 @@ MAX_SHOWN = 5e4
 """Largest mean number of strides on the axis; some intervals extend beyond it."""
 
 
-def laws(gait: Gait) -> dict[str, Feedback | None]:
-    """Feedback laws for a gait by name; None is no feedback."""
+def laws(gait: Gait) -> dict[str, Feedback]:
+    """Feedback laws for a gait by name."""
     reach = {name: (gait.runner[name] - REACH[name], gait.runner[name] + REACH[name]) for name in REACH}
     alone, both = (ANGLE,), (ANGLE, TORQUE)
-    made = (
-        None,
-        None,
-        lqr(gait, alone, limits={ANGLE: reach[ANGLE]}),
-        lqr(gait, both, limits=reach),
-        dead_beat(gait, both, limits=reach, negligible=LEFT_ALONE),
-    )
-    return dict(zip(COLOURS, made, strict=True))
+    return {
+        "quadratic regulator: touchdown angle": lqr(gait, alone, limits={ANGLE: reach[ANGLE]}),
+        "quadratic regulator: angle and torque": lqr(gait, both, limits=reach),
+        "dead-beat: angle and torque": dead_beat(gait, both, limits=reach, negligible=LEFT_ALONE),
+    }
 
 
 def table(results: Results) -> pandas.DataFrame:
     """Data of the figure; inf is a disturbance beyond all tried, or a mean without falls. Takes minutes."""
-    gaits = {friction: results.gait(friction) for friction in FRICTIONS}
+    gaits = [results.gait(friction) for friction in FRICTIONS]
     noise = (NOISE * results.runner.scales).tolist()
-    designed = {friction: laws(gait) for friction, gait in gaits.items()}
-    trials: list[tuple[str, Gait, Feedback | None]] = []
-    for name in COLOURS:
-        for friction, gait in gaits.items():
-            law = designed[friction][name]
-            one = match_gait(results.gait(REFERENCE), gait) if name == MATCHED else gait
-            if one is not None:
-                trials.append((name, one, law and replace(law, noise=noise, seed=SEED)))
+    trials: list[tuple[str, Gait, Feedback | None]] = [(NONE, gait, None) for gait in gaits]
+    trials += [(MATCHED, gait, None) for gait in match_gaits([results.gait(REFERENCE), *gaits])]
+    designed = [(name, gait, law) for gait in gaits for name, law in laws(gait).items()]
+    designed.sort(key=lambda one: list(COLOURS).index(one[0]))
+    trials += [(name, gait, replace(law, noise=noise, seed=SEED)) for name, gait, law in designed]
     found = judge_all([(gait, law) for _, gait, law in trials], roughness=ROUGHNESS, seed=SEED, progress=True)
-    gaits = table_by(["law"], [(name, gait) for name, gait, _ in trials], "friction", "word")
+    begun = table_by(["law"], [(name, gait) for name, gait, _ in trials], "friction", "word")
     judged = table_of(found, lambda_max=_lambda_max, **JUDGED, runners=lambda _: RUNNERS)
     counted = []
     for number, roughness in enumerate(ROUGHNESS):
         passages = [one.first_passages[number] for one in found]
         of_ground = means(passages, f"mean_strides_{roughness:g}", *COUNTED)
         counted.append(of_ground.rename(columns={name: f"{name}_{roughness:g}" for name in COUNTED}))
-    return gaits.join([judged, *counted])
+    return begun.join([judged, *counted])
 
 
 def _lambda_max(one: Judgement) -> float:

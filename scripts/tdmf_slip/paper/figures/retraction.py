@@ -1,6 +1,7 @@
 """The two largest eigenvalues against the rate of swing-leg retraction, at three frictions."""
 
 from collections.abc import Mapping
+from contextlib import suppress
 from typing import Any
 
 import numpy as np
@@ -9,6 +10,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from ...analysis.special_points import FOLD, PERIOD_DOUBLING
+from ...errors import RunError
 from ...library.gait import Gait
 from ...pictures import style
 from ..along import Row, followed
@@ -47,9 +49,8 @@ def matched(reference: Gait) -> list[Row]:
     """Gaits with retraction that are matched to the one without."""
     one, found = reference, []
     for rate in RATES:
-        near = gait_with(one, {RATE: rate}, 2)
-        one = (near and match_gait(reference, near)) or one
-        if one.runner[RATE] == rate:
+        with suppress(RunError):
+            one = match_gait(reference, gait_with(one, RATE, rate, 2))
             found.append(Row(rate, "", one))
     return found
 

@@ -12,7 +12,7 @@ from ...library.runner import Runner
 from ...pictures import style
 from ...terminal.in_blocks import in_blocks
 from ...variables.table import FRICTION
-from ..matched import at_frictions
+from ..matched import match_gaits
 from .data import Results, table_of
 from .over_friction import draw_means, friction_axis
 
@@ -30,7 +30,7 @@ def table(results: Results) -> pandas.DataFrame:
     runners = [results.runner.replace({FRICTION: friction}) for friction in FRICTIONS]
     trials = [(runner, roughness) for roughness in ROUGHNESS for runner in runners]
     own = len(trials)
-    matched = at_frictions(results.runner, REFERENCE, FRICTIONS)
+    matched = match_gaits([results.runner.replace({FRICTION: REFERENCE}), *runners])
     trials += [(gait.runner, MATCHED_ROUGHNESS) for gait in matched if gait.stable]
     with in_blocks(_passage, trials, "rough", "means", progress=True) as passages:
         found = in_order(passages)

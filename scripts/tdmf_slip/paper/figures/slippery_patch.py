@@ -11,7 +11,7 @@ from ...library.runner import Runner
 from ...pictures import style
 from ...pictures.style import CurveLabel
 from ...variables.table import FRICTION
-from ..matched import falls_on_patch, match_gait
+from ..matched import falls_on_patch, match_gaits
 from .data import Results
 
 SLOPE = -4.0
@@ -34,8 +34,8 @@ def gaits(runner: Runner) -> list[tuple[Gait, bool]]:
     """Gaits on each ground, and gaits matched in speed and apex height to the last ground's, with True."""
     its = runner.replace({"ground.slope": float(np.radians(SLOPE))})
     own = [periodic_gait(its.replace({FRICTION: friction})) for friction in OUTSIDE]
-    alike = (match_gait(own[-1], gait, ("speed", "apex_height"), MATCHED) for gait in own[:-1])
-    return [*((gait, False) for gait in own), *((gait, True) for gait in alike if gait is not None)]
+    alike = match_gaits([own[-1], *own[:-1]], ("speed", "apex_height"), MATCHED)
+    return [*((gait, False) for gait in own), *((gait, True) for gait in alike)]
 
 
 def falls(gait: Gait, friction: float, length: float) -> int:

@@ -1,6 +1,7 @@
 """Speed, cost of transport and eigenvalues against the slope of the ground."""
 
 from collections.abc import Iterator, Mapping
+from contextlib import suppress
 
 import numpy as np
 import pandas
@@ -8,12 +9,13 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from ...analysis.search import periodic_gait
+from ...errors import RunError
 from ...library.gait import Gait
 from ...library.runner import Runner
 from ...pictures import style
 from ...variables.table import FRICTION
 from ..along import followed, met
-from ..matched import gait_with, match_gait
+from ..matched import gait_with, match_gaits
 from .data import LEADING, Results, table_by
 
 SLOPE = "ground.slope"
@@ -53,23 +55,21 @@ def own(runner: Runner) -> Gaits:
 
 def matched(runner: Runner) -> Gaits:
     """Gaits matched on level ground to the one on the first friction, by friction."""
-    reference, *others = (periodic_gait(runner.replace({FRICTION: friction})) for friction in COLOURS)
     found = {}
-    for gait in others:
-        alike = match_gait(reference, gait)
-        if alike is not None:
-            down, up = (tuple(_stepped(alike, step)) for step in (-STEP, STEP))
-            found[gait.friction] = (*down[::-1], (0.0, alike), *up)
+    for gait in match_gaits([periodic_gait(runner.replace({FRICTION: friction})) for friction in COLOURS]):
+        down, up = (tuple(_stepped(gait, step)) for step in (-STEP, STEP))
+        found[gait.friction] = (*down[::-1], (0.0, gait), *up)
     return found
 
 
 def _stepped(gait: Gait, step: float) -> Iterator[tuple[float, Gait]]:
     """Yields slopes with gaits, each found from the one before."""
-    slope, one = step, gait_with(gait, {SLOPE: step})
-    while one is not None and LOWEST <= slope <= HIGHEST:
-        yield slope, one
-        slope += step
-        one = gait_with(one, {SLOPE: slope})
+    slope = step
+    with suppress(RunError):
+        while LOWEST <= slope <= HIGHEST:
+            gait = gait_with(gait, SLOPE, slope)
+            yield slope, gait
+            slope += step
 
 
 def table(results: Results) -> pandas.DataFrame:

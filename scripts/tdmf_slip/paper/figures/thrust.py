@@ -1,12 +1,14 @@
 """Cost of transport and slip with leg thrust and with hip torque, at equal speed."""
 
 from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
 from typing import Any
 
 import numpy as np
 import pandas
 from matplotlib.figure import Figure
 
+from ...errors import RunError
 from ...library.gait import Gait
 from ...pictures import style
 from ..along import followed, met
@@ -62,10 +64,9 @@ def matched(by_hip: Sequence[Gait]) -> Iterator[Gait]:
     stable = [gait for gait in by_hip if gait.stable]
     for speed in SPEEDS:
         reference = min(stable, key=lambda gait: abs(gait.stride["speed"] - speed))
-        near = gait_with(reference, {THRUST: HELPED}, 2)
-        one = near and match_gait(reference, near, ("speed", "apex_height"), (TORQUE, ANGLE))
-        if one:
-            yield one
+        with suppress(RunError):
+            near = gait_with(reference, THRUST, HELPED, 2)
+            yield match_gait(reference, near, ("speed", "apex_height"), (TORQUE, ANGLE))
 
 
 def _leg_alone(first: Gait) -> Iterator[Gait]:

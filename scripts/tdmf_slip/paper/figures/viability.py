@@ -8,7 +8,7 @@ from ...library.runner import Runner
 from ...pictures import style
 from ...variables.table import FRICTION
 from ...viable_sets.viability import viability
-from ..matched import at_frictions
+from ..matched import match_gaits
 from .data import Results, table_of
 from .over_friction import friction_axis
 
@@ -26,7 +26,8 @@ BAND, COLOUR = "between the inner and the outer set", "#1f5fa8"
 def table(results: Results) -> pandas.DataFrame:
     """Viable sets of matched runners by the reduced map, at each friction; takes minutes."""
     small = Runner(results.runner, model="reduced")
-    runners = [gait.runner for gait in at_frictions(small, REFERENCE, FRICTIONS, HOLD, VARY)]
+    unmatched = [small.replace({FRICTION: friction}) for friction in (REFERENCE, *FRICTIONS)]
+    runners = [gait.runner for gait in match_gaits(unmatched, HOLD, VARY)]
     sets = [viability(one, axes=AXES, vary=CHOSEN, n=CELLS, progress=True) for one in runners]
     settings = pandas.DataFrame({of: [one[of] for one in runners] for of in (FRICTION, *VARY)})
     sizes = table_of(

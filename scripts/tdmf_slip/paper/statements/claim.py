@@ -14,7 +14,7 @@ from ...library.gait import Gait
 from ...variables.parameters import read_parameters
 from ...variables.table import FRICTION
 from ...variables.variable import Given
-from ..matched import HOLD, VARY, gait_with, match_gait
+from ..matched import match_gait
 
 Arguments = ParamSpec("Arguments")
 Found = TypeVar("Found")
@@ -224,23 +224,7 @@ def equal_to(reference: Gait, other: Gait) -> Gait:
 
     Then the foot is also equally high at the apex, where the ground steps. A control must be stable.
     """
-    return _stable(made_equal(reference, other))
-
-
-def made_equal(reference: Gait, other: Gait, hold: Sequence[str] = HOLD, vary: Sequence[str] = VARY) -> Gait:
-    """The other runner with the quantities `hold` of the reference, stable or not; see `match_gait`."""
-    found = match_gait(reference, other, hold, vary)
-    if found is None:
-        raise RunError("no matched runner")
-    return found
-
-
-def changed_to(one: Gait, name: str, value: float, steps: int) -> Gait:
-    """The gait near another with one value changed, approached in steps."""
-    found = gait_with(one, {name: value}, steps)
-    if found is None:
-        raise GaitNotFoundError(f"{name} = {value:g}")
-    return found
+    return _stable(match_gait(reference, other))
 
 
 def _stable(one: Gait) -> Gait:

@@ -16,6 +16,7 @@ from ...optimization.optimize import optimize
 from ...optimization.optimum import Optimum
 from ...variables.table import FRICTION
 from ..along import Row, followed
+from ..matched import gait_with, match_gait
 from .claim import (
     ANGLE,
     CLAMPED,
@@ -30,10 +31,8 @@ from .claim import (
     Measures,
     Regime,
     cached_with_errors,
-    changed_to,
     equal_to,
     gait,
-    made_equal,
     matched,
     over_length,
     solved,
@@ -203,7 +202,7 @@ def slowed(friction: float, reference: float | None = None) -> Measure:
 
     def over(regime: Regime) -> float:
         one = _level(regime, friction, reference)
-        uphill = changed_to(one, SLOPE, UPHILL, 6)
+        uphill = gait_with(one, SLOPE, UPHILL, 6)
         return uphill.stride["speed"] / one.stride["speed"]
 
     return solved(over)
@@ -257,8 +256,8 @@ def _at_speed(regime: Regime, name: str, added: float) -> Gait:
 def as_high(regime: Regime) -> Gait:
     """The runner with thrust that has the speed and apex height of the runner driven by torque."""
     reference = by_torque(regime)
-    helped = changed_to(reference, THRUST, HELPED * reference.runner["leg.free_length"], 2)
-    return made_equal(reference, helped, ("speed", "apex_height"), (TORQUE, ANGLE))
+    helped = gait_with(reference, THRUST, HELPED * reference.runner["leg.free_length"], 2)
+    return match_gait(reference, helped, ("speed", "apex_height"), (TORQUE, ANGLE))
 
 
 def _by_way(of: Callable[[Regime], Gait]) -> Measure:

@@ -21,6 +21,7 @@ from ...library.runner import Runner
 from ...library.section import COORDINATES
 from ...variables.table import FRICTION
 from ...viable_sets.viability import viability
+from ..matched import match_gait
 from .claim import (
     ANGLE,
     HEAVY,
@@ -35,7 +36,6 @@ from .claim import (
     cached_with_errors,
     equal_to,
     gait,
-    made_equal,
     solved,
     stable_gait,
 )
@@ -138,7 +138,7 @@ def _viable(regime: Regime, friction: float, reference: float | None = None) -> 
     runner = Runner({**regime.values, FRICTION: friction}, model="reduced")
     if reference is not None:
         gaits = periodic_gait(runner.replace({FRICTION: reference})), periodic_gait(runner)
-        runner = made_equal(*gaits, ("speed", "apex_height"), (TORQUE, ANGLE)).runner
+        runner = match_gait(*gaits, ("speed", "apex_height"), (TORQUE, ANGLE)).runner
     return viability(runner, axes=VIABLE_PLANES.get(regime.name, VIABLE_PLANE), vary=CHOSEN, n=VIABLE_CELLS)
 
 

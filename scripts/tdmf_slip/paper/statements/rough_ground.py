@@ -13,7 +13,7 @@ from ...library.gait import Gait
 from ...library.ground import RoughGround, correlated_weights
 from ...library.laws import AffineLaw
 from ...library.runner import Runner
-from ..matched import falls_on_patch
+from ..matched import falls_on_patch, gait_with, match_gait
 from .claim import (
     ANGLE,
     SLIPS,
@@ -24,10 +24,8 @@ from .claim import (
     Measures,
     Regime,
     cached_with_errors,
-    changed_to,
     equal_to,
     gait,
-    made_equal,
     matched,
     over_length,
     solved,
@@ -143,7 +141,7 @@ def on_slope(regime: Regime, friction: float, degrees: float) -> Gait:
 def as_fast(regime: Regime) -> Gait:
     """The runner downhill on grippy ground with speed and apex height of the one on slippery ground."""
     one, reference = (on_slope(regime, friction, SLOPE) for friction in (GRIPPY_GROUND, SLIPPERY_GROUND))
-    return made_equal(reference, one, ("speed", "apex_height"), (TORQUE, ANGLE))
+    return match_gait(reference, one, ("speed", "apex_height"), (TORQUE, ANGLE))
 
 
 def share_that_falls(of: Callable[[Regime], Gait]) -> Measure:
@@ -192,7 +190,7 @@ def faster(runner: Runner) -> float:
 def retracting(regime: Regime, friction: float, angle: str | None = None) -> Gait:
     """The gait with `RETRACTS` added to the regime's own rate of retraction."""
     one = plain(regime, friction, angle)
-    return changed_to(one, RATE, faster(one.runner), STEPS)
+    return gait_with(one, RATE, faster(one.runner), STEPS)
 
 
 @cached_with_errors
