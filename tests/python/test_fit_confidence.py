@@ -204,14 +204,14 @@ def test_a_fit_without_a_datum_is_that_of_the_others():
             getattr(again.parameters[name], of), rel=1e-3
         )
     assert fewer.degrees_of_freedom == found.degrees_of_freedom - 1
-    shifts = [abs(left.shifts(found)[name]) for left in found.without_each()]
+    shifts = [abs(found.shifts(left)[name]) for left in found.without_each().values()]
     assert len(shifts) == 6 and int(np.argmax(shifts)) == 5
     assert shifts[5] > 3.0 > max(shifts[:5])
     with pytest.raises(InputError, match="not among the data"):
         found.without(7, "speed")
     row = {"speed": Measured(1.05, 0.01), "frequency": Measured(0.04, 0.0004)}
     found = fit(None, one_row(row), ["hip.stance_torque", "leg.stiffness"], profile=False)
-    assert found.without_each() == ()
+    assert found.without_each() == {}
     with pytest.raises(InputError, match="less is left than is fitted"):
         found.without(1, "speed")
 

@@ -1,6 +1,6 @@
 """The command `fit`: a runner fitted to measured gaits."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -9,7 +9,7 @@ import click
 from ..checks import number_in
 from ..errors import InputError
 from ..fitting.fitted import MAX_STARTS, fit
-from ..fitting.result import Fit, LeftOut
+from ..fitting.result import Fit, Residual
 from ..terminal.text import table
 from .command import Answer, command, option
 from .options import NewPicture, Number, names_given
@@ -67,14 +67,14 @@ def fit_command(
         raise InputError("--vary is missing; allowed: --vary or --vary-each, or both")
     given |= {"vary_each": each, "priors": _priors(priors), "profile": not linear}
     found = fit(options.runner(), file, names, progress=True, **given)
-    left_out = found.without_each() if without_each else ()
+    left_out = found.without_each() if without_each else {}
     if report is not None:
         from ..pictures import fit_diagram
 
         fit_diagram.write(report, found)
     plain, text = found.as_json(), found.as_text()
     if left_out:
-        plain |= {"without": [_left(one) for one in left_out]}
+        plain |= {"without": [_left(*one) for one in left_out.items()]}
         text += f"\n\n{_left_text(found, left_out)}"
     return Answer(plain, text, lambda: found, failure=None if found.converged else SystemExit(1))
 
@@ -94,19 +94,19 @@ def _priors(given: tuple[str, ...]) -> dict[str, tuple[str, float]]:
     return priors
 
 
-def _left(one: LeftOut) -> dict[str, object]:
+def _left(datum: Residual, fit: Fit) -> dict[str, object]:
     """A datum that is left out, and the shared parameters without it, as a plain object."""
-    shared = {of.label: of.value for of in one.fit.estimates if of.label == of.name}
-    return {"row": one.row, "quantity": one.name, "parameters": shared, "chi_square": one.fit.chi_square}
+    shared = {of.label: of.value for of in fit.estimates if of.label == of.name}
+    return {"row": datum.row, "quantity": datum.name, "parameters": shared, "chi_square": fit.chi_square}
 
 
-def _left_text(found: Fit, left_out: Sequence[LeftOut]) -> str:
+def _left_text(found: Fit, left_out: Mapping[Residual, Fit]) -> str:
     """A row for each datum: by how many of their standard errors shared parameters move without it."""
     labels = [of.label for of in found.estimates if of.label == of.name]
     header = ("without", "of row", *(f"{label} moves by errors" for label in labels), "chi square")
     rows = []
-    for one in left_out:
-        moved = one.shifts(found)
+    for datum, other in left_out.items():
+        moved = found.shifts(other)
         cells = (f"{moved[label]:+.2f}" for label in labels)
-        rows.append((one.name, str(one.row), *cells, f"{one.fit.chi_square:.4g}"))
+        rows.append((datum.name, str(datum.row), *cells, f"{other.chi_square:.4g}"))
     return table(header, rows)

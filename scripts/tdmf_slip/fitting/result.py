@@ -299,13 +299,21 @@ class Fit:
         problem.restart(at, [self.apexes[number] for number in kept])
         return concluded(problem, best_from(problem, at))
 
-    def without_each(self) -> "tuple[LeftOut, ...]":
+    def without_each(self) -> "dict[Residual, Fit]":
         """Fits without one datum each, for all data that can be spared, with linear intervals."""
-        left = []
+        left = {}
         for of in self.residuals:
             with contextlib.suppress(InputError):
-                left.append(LeftOut(of.row, of.name, self.without(of.row, of.name, profile=False)))
-        return tuple(left)
+                left[of] = self.without(of.row, of.name, profile=False)
+        return left
+
+    def shifts(self, other: "Fit") -> Mapping[str, float]:
+        """Changes of shared estimates in another fit by label, over their standard errors in this one."""
+        return {
+            one.label: (other.parameters[one.label].value - one.value) / one.standard_error
+            for one in self.estimates
+            if one.label == one.name
+        }
 
     def as_json(self) -> dict[str, object]:
         """Fit as a plain object; an interval without an end has an infinite one."""
@@ -374,26 +382,6 @@ class Fit:
             *(reported_of(combination) for combination in self.unidentified),
             *self.notes,
         ]
-
-
-@dataclass(frozen=True, eq=False)
-class LeftOut:
-    """Datum that was left out, and the fit without it."""
-
-    row: int
-    """Row of the datum, from 1."""
-    name: str
-    """Name of the datum's quantity."""
-    fit: Fit
-    """Fit of all other data, with linear intervals."""
-
-    def shifts(self, of: Fit) -> Mapping[str, float]:
-        """Changes of shared estimates by label, over their standard errors in the whole fit."""
-        shared = [estimate for estimate in of.estimates if estimate.label == estimate.name]
-        return {
-            one.label: (self.fit.parameters[one.label].value - one.value) / one.standard_error
-            for one in shared
-        }
 
 
 PARAMETER_HEADER = ("parameter", "value", "low", "high")

@@ -235,7 +235,8 @@ class Instance:
         self, experiment: Experiment, step_finished: Callable[[float, Recorder], bool]
     ) -> NDArray[np.void]:
         simulation = fmpy.simulation if experiment.inputs is None else own_simulation()
-        with self._accounted():
+        HEARD.messages = self.messages
+        try:
             rows: NDArray[np.void] = simulation.simulate_fmu(
                 self._folder,
                 model_description=self.fmu.description,
@@ -251,6 +252,8 @@ class Instance:
                 step_finished=step_finished,
                 terminate=False,
             )
+        except Exception as problem:  # FMPy raises bare Exceptions
+            raise self._account_of(problem) from problem
         return rows
 
     def set(self, values: Mapping[str, float | int | bool]) -> None:
@@ -259,15 +262,6 @@ class Instance:
         for name, value in values.items():
             variable = self.fmu.variables[name]
             setters.get(variable.type, self._fmu.setInteger)([variable.reference], [value])
-
-    @contextlib.contextmanager
-    def _accounted(self) -> Iterator[None]:
-        """Hear the unit's messages during a run, and raise a failed run with them."""
-        HEARD.messages = self.messages
-        try:
-            yield
-        except Exception as problem:  # FMPy raises bare Exceptions
-            raise self._account_of(problem) from problem
 
     def _account_of(self, problem: Exception) -> TdmfSlipError:
         said = "; ".join(dict.fromkeys(self.messages))

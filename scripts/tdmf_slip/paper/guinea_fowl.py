@@ -18,13 +18,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..analysis.targeted import find_gait
-from ..errors import InputError, RunError
+from ..errors import RunError
 from ..library.batch import Batch
 from ..library.engine import SETTLED, UNDECIDED
 from ..library.fixed_point import gait_near
 from ..library.gait import Gait
 from ..library.runner import Runner
-from ..library.strides import plain_stride
 from ..variables.table import FRICTION
 from .claims import Claim, both_readings
 
@@ -76,8 +75,9 @@ def meet_patch(gaits: Sequence[Gait], contact_angles: Sequence[float], friction:
         if (runner := landing_at(gait, angle)) is not None
     }
     cells, apices = list(landings), [gaits[row].apex for row, _ in landings]
-    for cell, apex in zip(cells, apices, strict=True):
-        slips[cell], fell[cell] = _slip(landings[cell], apex), 1.0
+    first = Batch(list(landings.values()), np.array(apices)).stride()
+    for cell, slip in zip(cells, first["slip_distance"], strict=True):
+        slips[cell], fell[cell] = slip, 1.0
     up, apices = _followed(cells, [landings[cell] for cell in cells], apices, 1)
     after = [gaits[row].runner for row, _ in up]
     for cell in _followed(up, after, apices, AFTER, [[gaits[row].apex] for row, _ in up])[0]:
@@ -98,14 +98,6 @@ def _followed(
     run = Batch(runners, np.array(apices)).run(strides, until)
     kept = np.flatnonzero(np.isin(run.fate, UP)).tolist()
     return [cells[k] for k in kept], list(run.apex[kept])
-
-
-def _slip(runner: Runner, apex: NDArray[np.float64]) -> float:
-    """Slip distance of one stride; NaN where it does not close."""
-    try:
-        return float(plain_stride(runner, apex, ["slip_distance"]).quantities[0])
-    except (InputError, RunError):
-        return math.nan
 
 
 FRICTIONS = (0.05, 0.1, 0.2)
