@@ -37,8 +37,7 @@ def legend(figure):
 def test_every_picture_is_of_a_kind_that_there_is_and_has_a_function():
     for kind, picture in PICTURES.items():
         module, _, function = picture.draw.rpartition(".")
-        home = "tdmf_slip" if module.startswith(".") else "tdmf_slip.pictures."
-        assert callable(getattr(importlib.import_module(home + module), function))
+        assert callable(getattr(importlib.import_module(f"tdmf_slip.{module}"), function))
         assert kind.islower() or hasattr(tdmf_slip, kind)
 
 

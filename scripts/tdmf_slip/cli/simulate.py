@@ -1,6 +1,7 @@
 """The command `simulate`: one run of the unit."""
 
 from collections.abc import Mapping
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
@@ -9,7 +10,7 @@ import click
 from ..errors import InputError
 from ..fmu.fmu import INTERFACES, Fmu, load_fmu
 from ..fmu.inputs import read_tables
-from ..fmu.run import WRITERS, Run, as_json, dataset_of, write_table
+from ..fmu.run import WRITERS, Run, dataset_of, write_table
 from ..fmu.simulation import (
     DEFAULT_TOLERANCE,
     INTERVALS,
@@ -131,7 +132,7 @@ def _run_object(run: Run) -> dict[str, object]:
         "stride": run.stride,
         "apex": run.apex,
         "final": run.final,
-        "events": as_json(run.events),
+        "events": [asdict(event) for event in run.events],
         "messages": run.messages,
     }
 

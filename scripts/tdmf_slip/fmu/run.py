@@ -68,11 +68,6 @@ def _phase_event(before: str, after: str) -> str | None:
     return {("drive", "coast"): "midstance", ("retract", "place"): "apex"}.get((before, after))
 
 
-def as_json(events: list[Event]) -> list[Mapping[str, object]]:
-    """Events as plain objects."""
-    return [{"time": event.time, "what": event.what} for event in events]
-
-
 @dataclass(frozen=True, eq=False, repr=False)
 class Run:
     """Result of a run. All values are in the units of the model description, see `units`."""

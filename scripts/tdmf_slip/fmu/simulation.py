@@ -217,8 +217,7 @@ run_unit = simulate.plain
 
 def time_unit(fmu: Fmu, starts: Mapping[str, Value]) -> float:
     """The paper's unit of time, sqrt(m/k), in s."""
-    mass, stiffness = (fmu.variables.start_of(name, starts) for name in ("body.mass", "leg.stiffness"))
-    return math.sqrt(mass / stiffness)
+    return paper_units.scale("s", {name: fmu.variables.start_of(name, starts) for name in SCALES})
 
 
 def longest_time(fmu: Fmu, starts: Mapping[str, Value], strides: int) -> float:

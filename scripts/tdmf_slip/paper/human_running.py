@@ -68,25 +68,18 @@ def claims() -> list[Claim]:
     """Published numbers of human running beside those computed."""
     preset = read_parameters("human")
     jogs = {reading: periodic_gait({**preset, **values}) for reading, values in TUNED.items()}
-    return [*(_measured(jogs, *measured) for measured in MEASURED), *_of_fit(fitted()), _fast()]
-
-
-def _measured(
-    jogs: Mapping[str, Gait],
-    what: str,
-    mean: float,
-    deviation: float,
-    unit: str,
-    source: str,
-    quantity: Callable[[Gait], float],
-) -> Claim:
-    values = {reading: quantity(gait) for reading, gait in jogs.items()}
-    digits = 0 if mean > 100.0 else 2
-    findings = {
-        reading: Finding(f"{value:.{digits}f}", abs(value - mean) <= SCATTER * deviation)
-        for reading, value in values.items()
-    }
-    return Claim(f"{JOG}: {what}", f"{mean:g} ± {deviation:g} {unit}", findings, source=source)
+    found = []
+    for what, mean, deviation, unit, source, quantity in MEASURED:
+        values = {reading: quantity(gait) for reading, gait in jogs.items()}
+        findings = {
+            reading: Finding(
+                f"{value:.{0 if mean > 100.0 else 2}f}", abs(value - mean) <= SCATTER * deviation
+            )
+            for reading, value in values.items()
+        }
+        published = f"{mean:g} ± {deviation:g} {unit}"
+        found.append(Claim(f"{JOG}: {what}", published, findings, source=source))
+    return [*found, *_of_fit(fitted()), _fast()]
 
 
 def _fast() -> Claim:

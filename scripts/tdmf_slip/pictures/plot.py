@@ -18,7 +18,7 @@ class Picture(NamedTuple):
     """Drawing function for a kind of result."""
 
     draw: str
-    """Module and function."""
+    """Module of this package, and function."""
     variable: str = ""
     """One of the variables of a dataset."""
     dimensions: Sequence[int] = ()
@@ -26,29 +26,29 @@ class Picture(NamedTuple):
 
 
 PICTURES: Mapping[str, Picture] = {
-    "Attraction": Picture("quantity_diagram.of_attraction"),
-    "BorderProof": Picture("eigenvalue_diagram.of_border"),
-    "Controllability": Picture("eigenvalue_diagram.of_controllability"),
-    "Feedback": Picture("eigenvalue_diagram.of_feedback"),
-    "FirstPassage": Picture("quantity_diagram.of_falls"),
-    "Fit": Picture("fit_diagram.figure_of"),
-    "Gait": Picture("panels.of_gait"),
-    "Optimum": Picture("quantity_diagram.of_optimum"),
-    "Proof": Picture("eigenvalue_diagram.of_proof"),
-    "RareFalls": Picture("quantity_diagram.of_falls"),
-    "Sweep": Picture("sweep_diagram.of_sweep"),
-    "Validation": Picture(".paper.drift_diagram.of_validation"),
-    "basin": Picture("basin_map.figure_of", "fate", (2,)),
-    "branch": Picture("branch_diagram.figure_of", "special", (1,)),
-    "comparison": Picture("quantity_diagram.of_comparison", "word", (2,)),
-    "curves": Picture("branch_diagram.of_curves", "curve_number", (1,)),
-    "front": Picture("quantity_diagram.of_front", "word", (1,)),
-    "run": Picture("overview.figure_of", "time", (1,)),
-    "runs": Picture("basin_map.of_runs", "fallen", (1,)),
-    "strides": Picture("basin_map.of_strides", "fate", (2,)),
-    "sweep": Picture("sweep_diagram.figure_of", "word", (1, 2)),
-    "trajectory": Picture("overview.figure_of", "time", (1,)),
-    "viability": Picture("basin_map.of_viable_set", "viable", (2,)),
+    "Attraction": Picture("pictures.quantity_diagram.of_attraction"),
+    "BorderProof": Picture("pictures.eigenvalue_diagram.of_border"),
+    "Controllability": Picture("pictures.eigenvalue_diagram.of_controllability"),
+    "Feedback": Picture("pictures.eigenvalue_diagram.of_feedback"),
+    "FirstPassage": Picture("pictures.quantity_diagram.of_falls"),
+    "Fit": Picture("pictures.fit_diagram.figure_of"),
+    "Gait": Picture("pictures.panels.of_gait"),
+    "Optimum": Picture("pictures.quantity_diagram.of_optimum"),
+    "Proof": Picture("pictures.eigenvalue_diagram.of_proof"),
+    "RareFalls": Picture("pictures.quantity_diagram.of_falls"),
+    "Sweep": Picture("pictures.sweep_diagram.of_sweep"),
+    "Validation": Picture("paper.drift_diagram.of_validation"),
+    "basin": Picture("pictures.basin_map.figure_of", "fate", (2,)),
+    "branch": Picture("pictures.branch_diagram.figure_of", "special", (1,)),
+    "comparison": Picture("pictures.quantity_diagram.of_comparison", "word", (2,)),
+    "curves": Picture("pictures.branch_diagram.of_curves", "curve_number", (1,)),
+    "front": Picture("pictures.quantity_diagram.of_front", "word", (1,)),
+    "run": Picture("pictures.overview.figure_of", "time", (1,)),
+    "runs": Picture("pictures.basin_map.of_runs", "fallen", (1,)),
+    "strides": Picture("pictures.basin_map.of_strides", "fate", (2,)),
+    "sweep": Picture("pictures.sweep_diagram.figure_of", "word", (1, 2)),
+    "trajectory": Picture("pictures.overview.figure_of", "time", (1,)),
+    "viability": Picture("pictures.basin_map.of_viable_set", "viable", (2,)),
 }
 """Pictures by the kind of a result: the name of its class, or a dataset's attribute `result`."""
 DATASETS = [kind for kind, picture in PICTURES.items() if picture.variable]
@@ -102,8 +102,8 @@ def write_picture(path: Path, result: Any, **options: Any) -> None:
 def _figure_of(result: Any, **options: Any) -> Figure:
     kind = _kind_of(result)
     module, _, function = PICTURES[kind].draw.rpartition(".")
-    home = f"{__package__}.{module}" if not module.startswith(".") else f"{__package__.split('.')[0]}{module}"
-    draw: Callable[[Any], Figure] = partial(getattr(importlib.import_module(home), function), **options)
+    home = importlib.import_module(f"..{module}", __package__)
+    draw: Callable[[Any], Figure] = partial(getattr(home, function), **options)
     with style.styled():
         return _of_dataset(result, kind, draw) if kind in DATASETS else draw(result)
 

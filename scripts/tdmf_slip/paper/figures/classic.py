@@ -13,11 +13,11 @@ from numpy.typing import NDArray
 from ...library import classic_slip
 from ...library.own_runner import OwnRunner
 from ...pictures import style
+from ...pictures.model import spring
 from ..evidence import SLIP_ANGLE, gather_classic
 from ..published import IMPACT_FRICTION, STANCE_FRICTION
 from .data import Results, table_of
 
-COILS = 7
 POINTS = 60
 """Points of each phase of a step."""
 CONE = "#dce7c8"
@@ -26,14 +26,8 @@ CONE = "#dce7c8"
 
 def _leg(axes: Axes, foot: Any, mass: Any, colour: str = style.INK, **line: Any) -> None:
     """Draw a spring from foot to mass, and the mass."""
-    (x0, y0), (x1, y1) = foot, mass
-    length = math.hypot(x1 - x0, y1 - y0)
-    along = np.array([0.0, 0.15, *np.linspace(0.2, 0.8, 2 * COILS), 0.85, 1.0]) * length
-    across = np.array([0.0, 0.0, *(0.05 * (-1) ** i for i in range(2 * COILS)), 0.0, 0.0])
-    ux, uy = (x1 - x0) / length, (y1 - y0) / length
-    x, y = x0 + along * ux - across * uy, y0 + along * uy + across * ux
-    axes.plot(x, y, color=colour, linewidth=1.0, **line)
-    axes.plot([x1], [y1], "o", color=colour, markersize=8, **line)
+    axes.plot(*spring(foot, mass), color=colour, linewidth=1.0, **line)
+    axes.plot(*mass, "o", color=colour, markersize=8, **line)
 
 
 def _ground(axes: Axes) -> None:

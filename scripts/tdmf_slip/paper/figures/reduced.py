@@ -18,7 +18,6 @@ from ...analysis.basin import basin
 from ...analysis.stability import stability
 from ...analysis.sweeps import sweep
 from ...library.runner import Runner
-from ...library.section import REDUCED
 from ...pictures import basin_map, style
 from ...variables.table import FRICTION
 from ..evidence import SWEPT
@@ -52,12 +51,11 @@ def regions(results: Results) -> dict[str, "xarray.Dataset"]:
 
 def region_table(results: Results) -> pandas.DataFrame:
     """Fate and number of strides of all starts."""
-    along = (np.linspace(*PLANE[axis], count) for axis, count in zip(REDUCED, STARTS, strict=True))
-    height, speed = (grid.ravel() for grid in np.meshgrid(*along, indexing="ij"))
-    columns: dict[str, Any] = {"com_height": height, "com_speed": speed}
-    for name, data in regions(results).items():
-        columns |= {f"{what}_{name}": data[what].values.ravel() for what in ("fate", "strides_until_known")}
-    return pandas.DataFrame(columns)
+    tables = [
+        data[["fate", "strides_until_known"]].to_dataframe().add_suffix(f"_{name}")
+        for name, data in regions(results).items()
+    ]
+    return pandas.concat(tables, axis=1).reset_index()
 
 
 def draw_regions(results: Results) -> Figure:
@@ -121,16 +119,14 @@ def planes(results: Results) -> "tuple[xarray.Dataset, xarray.Dataset]":
 
 def plane_table(results: Results) -> pandas.DataFrame:
     """Data of both planes: parameters, largest eigenvalue and word."""
-    columns: dict[str, list[Any]] = {}
+    tables = []
     for one in planes(results):
-        names = tuple(map(str, one["word"].dims))
-        grid = np.meshgrid(*(one[name].values for name in names), indexing="ij")
-        for which, name, values in zip(("first", "second"), names, grid, strict=True):
-            columns.setdefault(f"{which}_parameter", []).extend([name] * values.size)
-            columns.setdefault(f"{which}_value", []).extend(values.ravel())
-        for name in ("lambda_max", "word"):
-            columns.setdefault(name, []).extend(one[name].values.ravel())
-    return pandas.DataFrame(columns)
+        first, second = map(str, one["word"].dims)
+        table = one[["lambda_max", "word"]].to_dataframe().reset_index()
+        table.insert(0, "first_parameter", first)
+        table.insert(2, "second_parameter", second)
+        tables.append(table.rename(columns={first: "first_value", second: "second_value"}))
+    return pandas.concat(tables, ignore_index=True)
 
 
 def draw_planes(results: Results) -> Figure:
