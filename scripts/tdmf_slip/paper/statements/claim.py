@@ -208,15 +208,11 @@ def gait(regime: Regime, friction: float, **others: Given | None) -> Gait:
 
 
 @cached_with_errors
-def stable_gait(regime: Regime, friction: float) -> Gait:
-    """The gait at a friction; an unstable gait raises RunError."""
-    return _stable(gait(regime, friction))
-
-
-@cached_with_errors
-def matched(regime: Regime, reference: float, other: float) -> Gait:
-    """The runner on friction `other`, equal to the runner on friction `reference`; see `equal_to`."""
-    return equal_to(stable_gait(regime, reference), gait(regime, other))
+def runner_on(regime: Regime, friction: float, reference: float | None = None) -> Gait:
+    """The stable runner on a friction, unmatched or equal to the one on friction `reference`."""
+    if reference is None:
+        return _stable(gait(regime, friction))
+    return equal_to(runner_on(regime, reference), gait(regime, friction))
 
 
 def equal_to(reference: Gait, other: Gait) -> Gait:

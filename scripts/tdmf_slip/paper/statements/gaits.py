@@ -33,8 +33,8 @@ from .claim import (
     cached_with_errors,
     equal_to,
     gait,
-    matched,
     over_length,
+    runner_on,
     solved,
     stride_quantity,
 )
@@ -78,7 +78,7 @@ def _changes(cost: str, friction: float) -> tuple[Measure, Measure]:
     """Changes of a cost on a friction, unmatched, and matched to the runner on friction 10."""
     return (
         _over_sticking(cost, lambda regime: gait(regime, friction)),
-        _over_sticking(cost, lambda regime: matched(regime, STICKS, friction)),
+        _over_sticking(cost, lambda regime: runner_on(regime, friction, STICKS)),
     )
 
 
@@ -163,7 +163,7 @@ UPHILL = math.radians(1.5)
 def _level(regime: Regime, friction: float, reference: float | None, angle: float | None = None) -> Gait:
     """The gait on level ground, or the runner made equal to the one on friction `reference`."""
     if reference is not None:
-        return matched(regime, reference, friction)
+        return runner_on(regime, friction, reference)
     return gait(regime, friction, hip__touchdown_angle=angle)
 
 

@@ -36,11 +36,11 @@ from .claim import (
     cached_with_errors,
     equal_to,
     gait,
+    runner_on,
     solved,
-    stable_gait,
 )
 from .gaits import swept
-from .rough_ground import LOW, RATE, faster, foot, mean_strides, runner_on
+from .rough_ground import LOW, RATE, faster, foot, mean_strides
 
 if TYPE_CHECKING:
     import xarray
@@ -56,23 +56,19 @@ Design = Callable[[Regime, float], AffineLaw]
 """Designs a law for the gait of a regime at a friction."""
 
 
-def _share_of(one: Gait, seed: int, law: AffineLaw | None = None) -> Estimate:
+@cache
+def _share(one: Gait, seed: int, law: AffineLaw | None = None) -> Estimate:
     """Share of the box of `analysis.attraction` that settles on a gait."""
     found = volume(one, SAMPLES, seed=seed, law=law)
     return Estimate(found.share, *found.interval)
 
 
-@cached_with_errors
-def _share(
-    regime: Regime, friction: float, reference: float | None, design: Design | None, seed: int
-) -> Estimate:
-    return _share_of(runner_on(regime, friction, reference), seed, design and design(regime, friction))
-
-
 def share(friction: float, reference: float | None = None, design: Design | None = None) -> Measure:
     """Share of the box that settles on the gait. Other runners and laws have other starts than the gait."""
     other = reference is not None or design is not None
-    return lambda regime, seed: _share(regime, friction, reference, design, 2 * seed + other)
+    return lambda regime, seed: _share(
+        runner_on(regime, friction, reference), 2 * seed + other, design and design(regime, friction)
+    )
 
 
 def _light_gait(regime: Regime, friction: float) -> Gait:
@@ -82,19 +78,16 @@ def _light_gait(regime: Regime, friction: float) -> Gait:
 
 
 def _light_share(regime: Regime, seed: int) -> Estimate:
-    return _share_of(_light_gait(regime, STICKS), 2 * seed)
+    return _share(_light_gait(regime, STICKS), 2 * seed)
 
 
 def _light_control(regime: Regime, seed: int) -> Estimate:
-    return _share_of(equal_to(_light_gait(regime, STICKS), _light_gait(regime, SLIPS)), 2 * seed + 1)
+    return _share(equal_to(_light_gait(regime, STICKS), _light_gait(regime, SLIPS)), 2 * seed + 1)
 
 
-@cached_with_errors
-def _robustness(
-    regime: Regime, friction: float, reference: float | None, design: Design | None
-) -> Robustness:
-    law = design and design(regime, friction)
-    return robustness(runner_on(regime, friction, reference), law=law)
+@cache
+def _robustness(one: Gait, law: AffineLaw | None) -> Robustness:
+    return robustness(one, law=law)
 
 
 def largest(
@@ -103,7 +96,8 @@ def largest(
     """The largest disturbance that is recovered from, over the scale of its coordinate."""
 
     def measure(regime: Regime, seed: int) -> Estimate:
-        found = getattr(_robustness(regime, friction, reference, design), disturbance)
+        law = design and design(regime, friction)
+        found = getattr(_robustness(runner_on(regime, friction, reference), law), disturbance)
         scale = gait(regime, friction).runner.scales[COORDINATES.index(DISTURBED[disturbance])]
         value = float(found / scale)
         return Estimate(value, min(value, FARTHEST), value)
@@ -271,14 +265,14 @@ MAX_STRIDES = 400
 @cache
 def regulator(regime: Regime, friction: float) -> Feedback:
     """A quadratic regulator of touchdown angle and stance torque, within limits."""
-    one = stable_gait(regime, friction)
+    one = runner_on(regime, friction)
     return lqr(one, SETTINGS, limits=_limits(one))
 
 
 @cache
 def dead_beat_law(regime: Regime, friction: float) -> Feedback:
     """A law of the same settings and limits that removes a small disturbance in two strides."""
-    one = stable_gait(regime, friction)
+    one = runner_on(regime, friction)
     return dead_beat(one, SETTINGS, limits=_limits(one), negligible=NEGLIGIBLE)
 
 

@@ -26,10 +26,9 @@ from .claim import (
     cached_with_errors,
     equal_to,
     gait,
-    matched,
     over_length,
+    runner_on,
     solved,
-    stable_gait,
 )
 
 # Rough ground: strides until the fall, and how they depend on the height of the foot
@@ -44,11 +43,6 @@ CORRELATION = 0.7
 """Correlation of each step with the step before: such ground goes on rising or falling."""
 SEGMENT = 5.0
 """Length of a level segment, l0."""
-
-
-def runner_on(regime: Regime, friction: float, reference: float | None) -> Gait:
-    """The runner on a friction, unmatched or matched to the runner on friction `reference`."""
-    return stable_gait(regime, friction) if reference is None else matched(regime, reference, friction)
 
 
 @cache
@@ -90,7 +84,7 @@ def strides(
 
 def rarely(regime: Regime, seed: int) -> Estimate:
     """Mean number of strides until the fall of the slipping runner on low steps, by multilevel splitting."""
-    one = stable_gait(regime, SLIPS)
+    one = runner_on(regime, SLIPS)
     found = rare_falls(one.runner, LOWER * regime.step, walkers=WALKERS, seed=seed, gait=one)
     return Estimate.of_strides(found)
 
