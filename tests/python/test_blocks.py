@@ -19,7 +19,7 @@ import tdmf_slip
 import xarray
 from conftest import HANGS, RELEASE, assert_same, run_python
 from tdmf_slip import InputError, RunError
-from tdmf_slip.analysis import attraction, basin, first_passage, sweeps
+from tdmf_slip.analysis import attraction, basin, first_passage
 from tdmf_slip.blocks import InTurn, run_blocks
 from tdmf_slip.cli import interrupts
 from tdmf_slip.cli import workers as options
@@ -221,28 +221,6 @@ def test_blocks_within_a_block_use_its_thread():
         assert all(alone for _, alone in found)
     with run_blocks(lambda _: threading.get_ident(), [0]) as found:
         assert next(found)[1] != threading.get_ident()
-
-
-def test_what_is_done_is_on_file_when_a_row_fails(tmp_path, monkeypatch):
-    honest = sweeps.columns_of_row
-
-    def failing(along, values, runner):
-        if runner[DAMPING] == 0.23:
-            raise ValueError("a fault of the code")
-        return honest(along, values, runner)
-
-    monkeypatch.setattr(sweeps, "columns_of_row", failing)
-    path, vary = tmp_path / "grid.nc", {DAMPING: [0.2, 0.21, 0.22, 0.23, 0.24], FRICTION: [0.6, 0.5]}
-    with pytest.raises(ValueError, match="a fault of the code"):
-        tdmf_slip.sweep({}, vary, path=path, executor=InTurn())
-    assert len(list((tmp_path / "grid.nc.parts").iterdir())) == 3
-    monkeypatch.setattr(sweeps, "columns_of_row", honest)
-    gaits, borders = tdmf_slip.sweep({}, vary, path=path)
-    whole = tdmf_slip.sweep({}, vary)
-    assert gaits.identical(whole.gaits) and borders.identical(whole.borders)
-    gaits.to_netcdf(path)
-    with pytest.raises(InputError, match="not this sweep: without a group borders"):
-        tdmf_slip.sweep({}, vary, path=path)
 
 
 class Cancelling(InTurn):

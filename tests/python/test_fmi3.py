@@ -2,7 +2,6 @@
 
 import pathlib
 import zipfile
-from operator import attrgetter
 from xml.etree import ElementTree
 
 import fmpy
@@ -76,14 +75,7 @@ def dependencies(description, group):
     }
 
 
-def test_the_variables_are_those_of_fmi2(description, description3):
-    names = {"Real": "Float64", "Integer": "Int32"}
-
-    def attributes_of(variables):
-        kept = attrgetter("name", "valueReference", "causality", "variability", "min", "max", "start")
-        return [(names.get(v.type, v.type), *kept(v)) for v in variables]
-
-    assert attributes_of(description3.modelVariables) == attributes_of(description.modelVariables)
+def test_the_structure_is_that_of_fmi2(description, description3):
     assert description3.instantiationToken == description.guid
     assert [u.variable.name for u in description3.derivatives] == [
         u.variable.name for u in description.derivatives

@@ -82,21 +82,6 @@ def test_series_and_tables_stand_for_names_and_rows(name, gait):
     np.testing.assert_array_equal(call(plain, gait), call(from_pandas, gait))
 
 
-def test_measurements_of_a_table_have_gaps_as_a_file_has():
-    table = pandas.DataFrame(
-        {
-            "speed [m/s]": [1.0, 1.1],
-            "speed_error [m/s]": [0.01, 0.01],
-            "frequency [Hz]": [np.nan, 0.05],
-            "frequency_error [Hz]": [None, 0.01],
-        }
-    )
-    found = tdmf_slip.fit(None, table, [TORQUE])
-    assert [residual.name for residual in found.residuals] == ["speed", "speed", "frequency"]
-    with pytest.raises(InputError, match=r"row 2: speed = -1\.1 is not allowed"):
-        tdmf_slip.fit(None, table.assign(**{"speed [m/s]": [1.0, -1.1]}), [TORQUE])
-
-
 def test_pandas_is_not_loaded_for_what_needs_it_not():
     program = "import sys, tdmf_slip; tdmf_slip.find_gait({'gravity': 0.01}); print('pandas' in sys.modules)"
     done = run_python("-c", program)

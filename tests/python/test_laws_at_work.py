@@ -10,7 +10,6 @@ from tdmf_slip import AffineLaw, InputError, Runner, basin, find_gait, strides_t
 from tdmf_slip.analysis import basin as basin_module
 from tdmf_slip.analysis.attraction import robustness, volume
 from tdmf_slip.analysis.ball import check_attracts, fates, jacobian_under
-from tdmf_slip.blocks import InTurn
 from tdmf_slip.library.return_map import stride_from
 
 ANGLE, TORQUE = "hip.touchdown_angle", "hip.stance_torque"
@@ -56,8 +55,8 @@ def test_the_jacobian_under_a_law_is_that_of_differences(gait, settling):
     assert np.abs(np.linalg.eigvals(jacobian)).max() < 0.5 * gait.lambda_max
 
 
-def test_noise_is_drawn_by_the_number_in_the_slice(gait, settling, monkeypatch, tmp_path):
-    """Noise depends neither on blocks, nor on the executor, nor on resuming from a file."""
+def test_noise_is_drawn_by_the_number_in_the_slice(gait, settling, monkeypatch):
+    """Noise does not depend on blocks."""
     noisy = AffineLaw(
         settling.inputs,
         settling.apex,
@@ -81,22 +80,7 @@ def test_noise_is_drawn_by_the_number_in_the_slice(gait, settling, monkeypatch, 
         for name in half:
             np.testing.assert_array_equal(half[name], by_number[name][first : first + 15], err_msg=name)
     monkeypatch.setattr(basin_module, "STARTS_AT_ONCE", 10)
-    path = tmp_path / "slice.nc"
-    honest, calls = basin_module.Slice.fates, []
-
-    def interrupted(self, block):
-        calls.append(block)
-        if len(calls) == 2:
-            raise KeyboardInterrupt
-        return honest(self, block)
-
-    monkeypatch.setattr(basin_module.Slice, "fates", interrupted)
-    with pytest.raises(KeyboardInterrupt):
-        basin(gait.runner, axes, n, law=noisy, path=path, executor=InTurn())
-    again = basin(gait.runner, axes, n, law=noisy, path=path)
-    xarray.testing.assert_equal(again, whole)
-    with pytest.raises(InputError, match="not this map of fates: another law"):
-        basin(gait.runner, axes, n, law=settling, path=path)
+    xarray.testing.assert_equal(basin(gait.runner, axes, n, law=noisy), whole)
 
 
 def test_laws_that_do_not_keep_the_gait_are_told(gait, nothing):

@@ -94,14 +94,6 @@ def test_an_optimum_over_two_parameters_is_that_of_a_fine_grid():
     assert min(smallest) == pytest.approx(best.value, abs=1e-5)
 
 
-def test_an_optimum_at_a_bound_says_so():
-    best = optimize(STICKING, {ANGLE: (0.5, 0.9)}, minimize="cost_of_transport", starts=1)
-    assert best.active_bounds == {ANGLE: "upper"}
-    assert best.parameters[ANGLE] == 0.9 and best.why == ""
-    costs = sweep(STICKING, {ANGLE: [0.88, 0.9]}).gaits["cost_of_transport"].values
-    assert best.value == pytest.approx(costs[1], rel=1e-9) and costs[1] < costs[0]
-
-
 def test_stability_is_kept_where_it_is_asked_for():
     over = {ANGLE: (0.5, 0.9), TORQUE: (0.1, 0.4)}
     free = optimize({}, over, maximize="speed", starts=1)

@@ -45,18 +45,6 @@ def paper_s(my_runner):
     return Runner(my_runner, **NO_GAINS)
 
 
-def test_many_strides_in_lanes_are_single_strides_bit_for_bit(my_runner):
-    starts = find_gait(my_runner).apex + np.random.default_rng(1).uniform(-0.6, 0.6, (150, 6))
-    kp = np.linspace(0.0, 0.1, 150)
-    together = Batch(my_runner, starts, vary={"stance_kp": kp}).stride(jacobian=True)
-    assert len(set(together.word)) > 3 and np.count_nonzero(together.outcome == 0) > 50
-    for k in (0, 3, 77, 149):
-        one = Batch(Runner(my_runner, stance_kp=kp[k]), starts[k]).stride(jacobian=True)
-        np.testing.assert_array_equal(one.next_apex, together.next_apex[k])
-        np.testing.assert_array_equal(one.jacobian, together.jacobian[k])
-        assert one.word == together.word[k]
-
-
 def test_the_branch_over_friction_has_the_borders_of_the_built_in_runner(paper_s):
     span = {"ground.friction": (0.6, 0.4)}
     mine, own = continue_branch(paper_s, span), continue_branch({}, span)

@@ -239,13 +239,6 @@ def test_a_series_whose_coefficients_overflow_has_fewer_terms():
     assert CompiledPage(Stiff).start().to(1e-24).x == pytest.approx(np.exp(-10), rel=1e-9)
 
 
-def test_derived_c_carries_the_docstrings_of_the_page():
-    text = (ROOT / "c_core" / "derived" / "pages" / "plain_runner.c").read_text(encoding="utf-8")
-    for function in PlainRunner.marked("is_event").values():
-        assert function.__doc__.split()[0] in text
-    assert "The foot reaches the ground." in text
-
-
 def test_laws_run_on_numbers_arrays_and_symbols_alike():
     lengths = np.linspace(0.8, 1.2, 5)
     many = PlainRunner.at("flight", length=lengths, angle=np.full(5, 0.3)).spring()

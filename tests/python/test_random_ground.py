@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from tdmf_slip import Batch, stride_map, strides_to_fall
+from tdmf_slip import Batch, stride_map
 from tdmf_slip.library.engine import FATES
 from tdmf_slip.library.ground import RoughGround, correlated_weights, spectrum_weights
 
@@ -72,10 +72,3 @@ def test_who_trips_falls_at_the_step(gait):
     fell = runs(gait, trips, 400, 1)["fate"] == FELL
     assert np.array_equal(fell, first > clearance) and 5 < np.count_nonzero(fell) < 200
     assert np.count_nonzero(runs(gait, plain, 400, 1)["fate"] == FELL) < np.count_nonzero(fell)
-
-
-def test_first_passage_takes_such_ground(gait):
-    plain = strides_to_fall(gait.runner, RoughGround(0.5, 1), 100, gait=gait)
-    assert plain == strides_to_fall(gait.runner, 0.5, 100, 1, gait=gait)
-    trips = strides_to_fall(gait.runner, RoughGround(0.5, 1, trips=True), 100, gait=gait)
-    assert trips.mean_strides <= plain.mean_strides

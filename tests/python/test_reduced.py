@@ -7,8 +7,6 @@ from tdmf_slip import Batch, InputError, RunError, Runner, basin, find_gait, gai
 from tdmf_slip.analysis import attraction
 from tdmf_slip.analysis.stability import stability
 from tdmf_slip.library.binding import c, ffi
-from tdmf_slip.library.engine import FATES
-from tdmf_slip.library.return_map import stride_from
 from tdmf_slip.library.section import REDUCED
 
 GAITS = read("reduced_gaits.json")["gaits"]
@@ -110,17 +108,6 @@ def test_a_sweep_has_the_borders_of_the_reduced_map():
         beside = [find_gait(reduced(friction=friction * (1 + s)), guess=guess).word for s in (1e-6, -1e-6)]
         assert beside == words
     assert [borders["before"].values[0], *borders["after"].values] == ["+0+", "+0-0+", "+0-+", "+0-"]
-
-
-def test_runners_by_the_map_end_where_strides_in_turn_lead():
-    runner = reduced()
-    start = np.add(GAITS[2]["apex"], [0.1, -0.1])
-    ends = Batch(runner, [start, [0.3, 1.0]], tolerance=1e-12).run(5)
-    apex = start
-    for _ in range(5):
-        apex, _, _ = stride_from(runner, apex, "ground.friction")
-    assert ends["apex"][0, :2] == pytest.approx(apex, abs=1e-9)
-    assert [FATES[fate] for fate in ends["fate"]] == ["undecided", "no_start"]
 
 
 PLANE = {"com_height": (0.8, 3.0), "com_speed": (0.2, 2.0)}

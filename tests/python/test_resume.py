@@ -84,6 +84,7 @@ def test_other_work_is_not_resumed(half, runner, vary, why):
         (lambda data: data.drop_vars("speed"), "without a variable speed"),
         (lambda data: data.assign(speed=data["speed"].T), "without a variable speed"),
         (lambda data: data.drop_vars(DAMPING), f"other values of {DAMPING}"),
+        (lambda data: data, "without a group borders"),
     ],
 )
 def test_a_file_of_something_else_is_refused_and_kept(whole, tmp_path, spoil, why):

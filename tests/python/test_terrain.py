@@ -37,15 +37,6 @@ def test_segments_without_heights_change_no_bit(gait, length):
         np.testing.assert_array_equal(level[name], segments[name], err_msg=name)
 
 
-@pytest.mark.parametrize("step", [-0.2, 0.1, 0.3])
-def test_a_step_at_a_place_is_that_of_the_stride_that_meets_it(gait, step):
-    """The edge at 20 m is passed high above it, on the way to the second landing."""
-    ground = RoughGround(segment_length=20.0, heights=(0.0, step, step))
-    on_terrain = one_run(gait, ground, strides=2)
-    # Both last apices are told above the upper ground.
-    assert on_terrain["apex"] == pytest.approx(by_stride(gait, [0.0, step]), abs=1e-9)
-
-
 def test_segments_as_long_as_strides_are_steps_by_stride(gait):
     steps = RoughGround(0.05, 3)
     length = float(gait.stride["length"])

@@ -252,13 +252,6 @@ def test_the_full_model_starts_where_the_last_placement_leaves_the_leg():
     assert np.allclose(node, alone, rtol=0, atol=1e-6)
 
 
-def test_a_larger_factor_leaves_more_open(found):
-    careful = tdmf_slip.viability(STICKING, axes=AXES, vary=VARY, n=24, factor=2.5)
-    assert (pairs_of(careful) <= pairs_of(found)).all()
-    assert (pairs_of(careful, 1) >= pairs_of(found, 1)).all()
-    assert pairs_of(careful).sum() < pairs_of(found).sum()
-
-
 def test_the_dataset_has_shares_and_pairs(found):
     assert found["viable"].dims == ("com_height", "com_speed")
     assert np.array_equal(found["viable"], found["viable_pair"].max((ANGLE,)))
