@@ -177,7 +177,7 @@ void scene_lighten_foot_and_stiffen_leg(runner *runner) {
     assert_null(tdmf_model_create(&runner->model, &parameters).variable);
 }
 
-tdmf_parameters scene_random_parameters(random_source *source) {
+static tdmf_parameters random_parameters(random_source *source) {
     tdmf_parameters p = tdmf_default_parameters();
     p.body.mass = random_magnitude(source, 0.1, 100.0);
     p.leg.stiffness = random_magnitude(source, 0.1, 1e4);
@@ -199,7 +199,7 @@ tdmf_parameters scene_random_parameters(random_source *source) {
     return p;
 }
 
-tdmf_inputs scene_random_inputs(random_source *source, const tdmf_model *model) {
+static tdmf_inputs random_inputs(random_source *source, const tdmf_model *model) {
     tdmf_inputs inputs = tdmf_default_inputs();
     inputs.ground.friction = random_chance(source, 0.1) ? 0.0 : random_magnitude(source, 0.01, 10.0);
     if (random_chance(source, 0.5)) {
@@ -262,9 +262,9 @@ static void constrain(runner *runner) {
 
 runner scene_random(random_source *source, tdmf_contact_mode contact) {
     runner runner = runner_default(0.0);
-    const tdmf_parameters parameters = scene_random_parameters(source);
+    const tdmf_parameters parameters = random_parameters(source);
     assert_null(tdmf_model_create(&runner.model, &parameters).variable);
-    runner.inputs = scene_random_inputs(source, &runner.model);
+    runner.inputs = random_inputs(source, &runner.model);
     random_state(source, &runner);
     const bool first = random_chance(source, 0.5);
     runner.motion.mode.contact = contact;
@@ -287,17 +287,6 @@ runner scene_random(random_source *source, tdmf_contact_mode contact) {
 
 double scene_short_time(const runner *runner) {
     return 0.005 / (1.0 / runner->model.scales.time + fabs(runner->motion.state[TDMF_LEG_ANGLE_RATE]));
-}
-
-double scene_force_tolerance(const runner *runner) {
-    const tdmf_parameters *p = &runner->model.parameters;
-    const double length = runner->motion.state[TDMF_LEG_LENGTH];
-    const double turning = runner->motion.state[TDMF_LEG_ANGLE_RATE];
-    const double torque = OUTPUTS_OF(runner).hip.torque;
-    const double forces = runner->model.scales.force + fabs(torque) / length +
-                          p->leg.damping * fabs(runner->motion.state[TDMF_LEG_LENGTH_RATE]) +
-                          p->body.mass * length * turning * turning;
-    return 1e-11 * forces * (1.0 + runner->inputs.ground.friction) * p->body.mass / p->foot.mass;
 }
 
 double time_factor(const factors *by) {

@@ -54,23 +54,18 @@ double scene_guard(const runner *runner, tdmf_guard guard);
  * closed in retract only. */
 tdmf_resolution scene_resolve(runner *runner);
 
-/* Random parameters within a decade or so of Table 1 in random units, random inputs. */
-tdmf_parameters scene_random_parameters(random_source *source);
-tdmf_inputs scene_random_inputs(random_source *source, const tdmf_model *model);
-
 /* Moves each parameter that is at the minimum of its range off it, so that it may differ to both sides. */
 void scene_leave_minima(tdmf_parameters *parameters);
 
 /* Makes the foot a millionth of the body, on a leg ten thousand times as stiff. */
 void scene_lighten_foot_and_stiffen_leg(runner *runner);
 
-/* A random model, input, state and mode with this contact mode, obeying the mode's constraints. */
+/* A random model, within a decade or so of Table 1 in random units, and an input, state and mode with this
+ * contact mode that obey the mode's constraints. */
 runner scene_random(random_source *source, tdmf_contact_mode contact);
 
-/* For numerical differentiation along the motion: a time in which no coordinate goes far, s; and the error
- * to expect of a force, N, from the rounding of all forces on a light foot. */
+/* A time in which no coordinate goes far, s. */
 double scene_short_time(const runner *runner);
-double scene_force_tolerance(const runner *runner);
 
 /* A runner in other units, m by `mass`, k by `stiffness`, l0 by `length`, with the dimensionless groups
  * fixed. Elements of the state that are neither clocks nor mechanical are energies. */
