@@ -126,6 +126,30 @@ def load_example():
 
 
 @pytest.fixture(scope="session")
+def ball():
+    """The ball that `new` begins from scratch, built."""
+    import own_pages
+
+    return own_pages.my_ball()
+
+
+@pytest.fixture(scope="session")
+def my_runner():
+    """The runner that `new` begins, built: it has gains in stance, without which it is the paper's."""
+    import own_pages
+
+    return own_pages.my_runner()
+
+
+@pytest.fixture(scope="session")
+def whole():
+    """The whole runner's page, compiled."""
+    from runner_pages import whole_page
+
+    return whole_page()
+
+
+@pytest.fixture(scope="session")
 def fmu_file():
     """The unit that is installed with the package."""
     return str(tdmf_slip.fmu_path())

@@ -24,7 +24,6 @@ if str(ROOT) not in sys.path:
 
 from c_core.hybrid.limits import MARGINS  # noqa: E402
 
-COMPILER = shutil.which("cc")
 FLAGS = ["-std=c99", "-ffp-contract=off", "-fno-math-errno", "-fPIC", "-Wall", "-Wextra", "-Werror"]
 LOG_SIZE = 500
 
@@ -158,7 +157,7 @@ def library_of(files, name, level, folders, in_lanes, macros):
         compile_all(sources, folder, (folder, *folders))
         own = [folder / f"{i}.o" for i in range(len(sources))]
         subprocess.run(
-            [COMPILER, "-shared", *own, *objects, "-pthread", "-o", folder / "page.so", "-lm"], check=True
+            ["cc", "-shared", *own, *objects, "-pthread", "-o", folder / "page.so", "-lm"], check=True
         )
 
     texts = [level, macros, [str(path) for path in objects], sorted(files.items())]

@@ -85,14 +85,6 @@ def test_gaits_are_followed_up_to_where_they_end(human, monkeypatch):
     assert 0.0 <= min(seen) - 0.38360208 < 1e-6
 
 
-def test_a_branch_of_a_gait_is_followed_from_it_both_ways():
-    gait = find_gait(friction=0.3)
-    branch = continue_branch(gait, {FRICTION: (0.32, 0.28)}, switch=False)
-    assert (branch.began, branch.ended) == ("beginning of the range", "end of the range")
-    assert branch[FRICTION].values[[0, -1]].tolist() == [0.32, 0.28]
-    assert np.min(np.abs(branch["apexes"].values[:, 0] - gait.apex).max(axis=1)) < 1e-12
-
-
 def test_values_that_differ_by_rounding_are_of_one_branch():
     runner, name = Runner("human"), "leg.stiffness"
     gait = find_gait(runner)

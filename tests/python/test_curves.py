@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from branch_rows import rows_of, specials
 from closed_form_maps import MapProblem, henon
-from tdmf_slip import InputError, Runner, continue_branch, continue_curves, plot
+from tdmf_slip import Runner, continue_branch, continue_curves, plot
 from tdmf_slip.analysis.curves import BifurcationProblem, curve_through
 from tdmf_slip.analysis.special_points import bialternate
 from tdmf_slip.numerics.following import Limits
@@ -150,14 +150,3 @@ def test_a_word_border_crosses_the_ranges_of_two_parameters_and_has_each_word_on
 def test_ranges_without_special_points_have_no_curves(command):
     status, out, _ = command("continue", "--vary", f"{FRICTION}=0.6:0.58", "--vary", f"{DAMPING}=0.2:0.21")
     assert status == 0 and out.startswith(f"no curves: gaits over {FRICTION} have no special points")
-
-
-def test_two_parameters_are_two(command):
-    with pytest.raises(InputError, match="two parameters"):
-        continue_curves({}, {FRICTION: (0.6, 0.5)})
-    with pytest.raises(InputError, match="ends differ"):
-        continue_curves({}, {FRICTION: (0.6, 0.5), DAMPING: (0.2, 0.2)})
-    over = ("--vary", "leg.damping=0.1:0.2", "--vary", "ground.friction=0.5:0.6")
-    for more in (("--vary", "gravity=0.01:0.02"), over[:2], ("--output", "x.nc")):
-        said = command.refusal("continue", *over, *more)
-        assert "--vary" in said or "--output" in said

@@ -6,7 +6,7 @@ import sys
 import numpy as np
 import pytest
 from conftest import RELEASE, reference_gaits, some_of
-from page_runs import COMPILER, ROOT, CompiledPage, central_difference
+from page_runs import ROOT, CompiledPage, central_difference
 from references import read
 from runner_pages import section, word, world_of
 from scipy.integrate import solve_ivp
@@ -17,7 +17,6 @@ from tdmf_slip.library.own_model import package_model
 from c_core.hybrid import parameter, sin
 from c_core.pages.runner import PlainRunner
 
-pytestmark = pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
 TIGHT = {"tolerance": 1e-13}
 PAGES = ROOT / "examples" / "pages"
 sys.path.append(str(PAGES))

@@ -5,7 +5,6 @@ import own_pages
 import pytest
 import tdmf_slip
 from conftest import ROOT
-from page_runs import COMPILER
 from tdmf_slip import (
     AffineLaw,
     Batch,
@@ -22,21 +21,9 @@ from tdmf_slip import (
 )
 from tdmf_slip.library.own_model import package_model
 
-pytestmark = pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
 NO_GAINS = {"hip.stance_kp": 0.0, "hip.stance_kd": 0.0}
 AXES = {"com_height": (0.9, 2.4), "com_speed": (0.3, 1.8)}
 SETTINGS = ["hip.touchdown_angle", "hip.stance_torque"]
-
-
-@pytest.fixture(scope="module")
-def ball():
-    return own_pages.my_ball()
-
-
-@pytest.fixture(scope="module")
-def my_runner():
-    """A runner with gains in stance; without them it is the paper's."""
-    return own_pages.my_runner()
 
 
 @pytest.fixture(scope="module")

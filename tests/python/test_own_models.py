@@ -8,11 +8,9 @@ import shutil
 import warnings
 
 import numpy as np
-import own_pages
 import pytest
 import tdmf_slip
 from conftest import ROOT
-from page_runs import COMPILER
 from scipy_strides import Stride, torque_of_gains
 from tdmf_slip import Batch, InputError, Runner, find_gait, gait_at, load_model, stride_map
 from tdmf_slip.building.build import derived, new_folder
@@ -22,19 +20,7 @@ from tdmf_slip.errors import Note
 from tdmf_slip.library.engine import FATES
 from tdmf_slip.variables.table import BUILDS, OWN_MODELS
 
-pytestmark = pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
 GAINS = {"stance_kp": 0.02, "stance_kd": 0.03}
-
-
-@pytest.fixture(scope="module")
-def ball():
-    return own_pages.my_ball()
-
-
-@pytest.fixture(scope="module")
-def my_runner():
-    """A runner with gains in stance; without them it is the paper's."""
-    return own_pages.my_runner()
 
 
 def ball_gait(gravity, restitution, push):

@@ -2,12 +2,11 @@
 
 import numpy as np
 import pytest
-from page_runs import COMPILER, LANES, OUTCOMES, CompiledPage, StuckError, ffi, run_batch, widths_of
-from runner_pages import drawn, whole_page, world_of
+from page_runs import LANES, OUTCOMES, CompiledPage, StuckError, ffi, run_batch, widths_of
+from runner_pages import drawn, world_of
 
 from c_core.hybrid import Model, event, exp, mode, parameter, sin, state
 
-pytestmark = pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
 LEVEL = "-O1"
 APEX = 1.406106854441984, 1.062891224817656, 1.004282245348082, 1.242779537928858, 0, 0.2165916273954818
 
@@ -45,11 +44,6 @@ class Hopper(Model):
 @pytest.fixture(scope="module")
 def hopper():
     return CompiledPage(Hopper, LEVEL, in_lanes=True)
-
-
-@pytest.fixture(scope="module")
-def whole():
-    return whole_page()
 
 
 def bits(run):

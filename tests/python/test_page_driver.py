@@ -2,13 +2,10 @@
 
 import numpy as np
 import pytest
-from page_runs import BEHIND, COMPILER, KERNEL, CompiledPage, run_batch, widths_of
+from page_runs import BEHIND, KERNEL, CompiledPage, run_batch, widths_of
 from scipy.optimize import brentq
 
 from c_core.hybrid import Model, cos, event, mode, observe, output, parameter, sin, state
-
-pytestmark = pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
-
 
 # ---- runs that are stopped and go on ------------------------------------------------------------------
 

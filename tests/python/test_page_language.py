@@ -8,15 +8,13 @@ from pathlib import Path
 import numpy as np
 import page_runs
 import pytest
-from page_runs import COMPILER, ROOT, CompiledPage
+from page_runs import ROOT, CompiledPage
 from scipy.integrate import solve_ivp
 
 from c_core import hybrid
 from c_core.hybrid import Model, coordinates, event, mode, output, parameter, sin, state
 from c_core.hybrid.unit_files import build_units
 from c_core.pages.runner import PlainRunner
-
-pytestmark = pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
 
 
 @pytest.fixture(scope="module")

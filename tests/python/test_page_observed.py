@@ -3,12 +3,10 @@
 import numpy as np
 import pytest
 from conftest import some_of
-from page_runs import COMPILER, CompiledPage, run_batch, widths_of
-from runner_pages import drawn, whole_page
+from page_runs import CompiledPage, run_batch, widths_of
+from runner_pages import drawn
 
 from c_core.hybrid import Model, event, mode, observe, parameter, sin, state
-
-pytestmark = pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
 
 
 class Pulse(Model):
@@ -96,11 +94,6 @@ def test_they_are_the_same_in_lanes_in_many_calls_and_sampled(pulse):
 
 
 # ---- the runner ------------------------------------------------------------------------------------------
-
-
-@pytest.fixture(scope="module")
-def whole():
-    return whole_page()
 
 
 OBSERVE_ALL = 2

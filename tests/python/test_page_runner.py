@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from conftest import some_of, unit_reference
-from page_runs import BEHIND, COMPILER, CompiledPage
+from page_runs import BEHIND, CompiledPage
 from references import read
 from runner_pages import (
     MECHANICAL,
@@ -19,14 +19,8 @@ from runner_pages import (
 from c_core.hybrid.limits import MARGINS
 from c_core.pages.runner import Runner
 
-pytestmark = pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
 FRICTION = read("friction_cases.json")
 GAIT = unit_reference()
-
-
-@pytest.fixture(scope="module")
-def whole():
-    return whole_page()
 
 
 def before_impact(case):

@@ -127,17 +127,6 @@ def test_derivatives_of_random_runners_are_those_of_differences():
     assert compared >= 8
 
 
-def test_a_matched_runner_has_what_another_has():
-    """The runners of the table of what friction does on rough ground."""
-    slips = find_gait({"ground.friction": 0.2, **CLAMPED})
-    hold = ["speed", "apex_height", "apex_leg_angle"]
-    vary = ["hip.stance_torque", "hip.touchdown_angle", "hip.liftoff_angle_factor"]
-    matched = find_gait({"ground.friction": 10.0, **CLAMPED}, target=quantities_of(slips, hold), vary=vary)
-    assert quantities_of(matched, hold) == pytest.approx(quantities_of(slips, hold), rel=1e-9)
-    found = [matched.runner[name] for name in vary]
-    assert found == pytest.approx([0.16691, 0.71533, 0.75664], abs=2e-5)
-
-
 def test_the_reduced_map_refuses_what_its_leg_does_not_have():
     gait = find_gait({"ground.friction": 0.6}, model="reduced")
     assert quantities_of(gait, ["apex_height"])["apex_height"] == gait.apex[0]

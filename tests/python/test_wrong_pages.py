@@ -255,7 +255,6 @@ class Sinks(Model):
         return b.replace(speed=-b.restitution * b.speed - b.jolt, height=b.height - b.depth)
 
 
-@pytest.mark.skipif(page_runs.COMPILER is None, reason="there is no C compiler")
 @pytest.mark.parametrize(
     ("given", "time"),
     [
