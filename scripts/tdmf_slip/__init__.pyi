@@ -38,7 +38,7 @@ from .library.batch import Batch as Batch
 from .library.gait import Gait as Gait
 from .library.ground import RoughGround as RoughGround
 from .library.laws import AffineLaw as AffineLaw
-from .library.own_model import load_model as load_model
+from .library.page_model import load_model as load_model
 from .library.runner import Runner as Runner
 from .optimization.optimize import optimize as optimize
 from .optimization.optimize import pareto_front as pareto_front

@@ -16,7 +16,7 @@ from scipy.optimize import brentq
 from tdmf_slip import Batch, InputError, RunError
 from tdmf_slip.library import classic_slip
 from tdmf_slip.library.classic_slip import ENERGY, NO_SLIP, slip, step
-from tdmf_slip.library.own_runs import seeds_of, strides_of
+from tdmf_slip.library.page_strides import seeds_of, strides_of
 from tdmf_slip.paper.evidence import gather_classic
 
 MASS, STIFFNESS, LENGTH, GRAVITY = 80.0, 20000.0, 1.0, 9.81

@@ -12,7 +12,7 @@ from runner_pages import section, word, world_of
 from scipy.integrate import solve_ivp
 from scipy_strides import Stride, torque_of_gains
 from tdmf_slip import find_gait
-from tdmf_slip.library.own_model import package_model
+from tdmf_slip.library.page_model import package_model
 
 from c_core.hybrid import parameter, sin
 from c_core.pages.runner import PlainRunner

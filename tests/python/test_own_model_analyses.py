@@ -19,7 +19,7 @@ from tdmf_slip import (
     stride_map,
     sweep,
 )
-from tdmf_slip.library.own_model import package_model
+from tdmf_slip.library.page_model import package_model
 
 NO_GAINS = {"hip.stance_kp": 0.0, "hip.stance_kd": 0.0}
 AXES = {"com_height": (0.9, 2.4), "com_speed": (0.3, 1.8)}

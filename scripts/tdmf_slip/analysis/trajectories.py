@@ -12,9 +12,9 @@ from ..checks import check_names, check_size, refusal
 from ..errors import InputError
 from ..given import numbers_of
 from ..library.gait import Gait
-from ..library.own_model import package_model, text_of_code
-from ..library.own_runner import OwnRunner
-from ..library.own_runs import SEEDS
+from ..library.page_model import package_model, text_of_code
+from ..library.page_runner import PageRunner
+from ..library.page_strides import SEEDS
 from ..library.runner import Runner
 from ..library.section import Apex, checked_apex
 from ..record import dataset
@@ -114,10 +114,10 @@ def trajectory(
     return dataset("trajectory", runner.record(), variables, coordinates, fallen=int(has_ended))
 
 
-def _begun(runner: RunnerLike, apex: Apex | None) -> tuple[Runner, OwnRunner, NDArray[np.float64] | None]:
+def _begun(runner: RunnerLike, apex: Apex | None) -> tuple[Runner, PageRunner, NDArray[np.float64] | None]:
     """The runner, the same by its page, and the point at which it begins; None for its start values."""
     if model_of(runner, None).is_own:
-        page = OwnRunner(runner)
+        page = PageRunner(runner)
         start = runner.apex if apex is None and isinstance(runner, Gait) else apex
         return page, page, None if start is None else checked_apex(start, page.coordinates)
     start = runner.section if apex is None and isinstance(runner, Gait) else apex
@@ -126,7 +126,7 @@ def _begun(runner: RunnerLike, apex: Apex | None) -> tuple[Runner, OwnRunner, ND
     whole.started(section)
     model = package_model("runner", "at_apex")
     values = {name: value for name, value in whole.items() if name in model.variables}
-    return whole, OwnRunner(values, model=model, tolerance=whole.tolerance), section
+    return whole, PageRunner(values, model=model, tolerance=whole.tolerance), section
 
 
 def _shown(table: Mapping[str, Any]) -> Iterator[tuple[Mapping[str, Any], str, int]]:

@@ -18,7 +18,7 @@ from ..given import row_of
 from ..library.fixed_point import Closing
 from ..library.gait import Gait
 from ..library.members import check_varied
-from ..library.own_runs import Strides
+from ..library.page_strides import Strides
 from ..library.quantities import scales_of
 from ..library.runner import Runner
 from ..library.strides import MadeStride, VariedGait, plain_stride, varied_gait

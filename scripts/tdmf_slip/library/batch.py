@@ -18,12 +18,12 @@ from ..checks import checked_whole
 from ..errors import InputError
 from ..given import row_of
 from ..variables.table import by_full_name
-from . import c_structs, own_runs
+from . import c_structs, page_strides
 from .batch_given import TOLERANCE as TOLERANCE
 from .batch_given import Given
 from .batch_tables import ends_table, recorded_table, strides_table
 from .engine import LAST_STRIDE, Engine
-from .own_model import OwnModel
+from .page_model import PageModel
 from .return_map import Along, checked_direction
 from .returns import RunnerStrides
 from .tables import Table
@@ -128,23 +128,23 @@ class Batch(Given):
             for one in row_of(along, "along", "names or mappings in a list")
         ]
         is_differentiated = jacobian or len(along) > 0
-        most = own_runs.SEEDS if self.model.is_own else c_structs.SEEDS
+        most = page_strides.SEEDS if self.model.is_own else c_structs.SEEDS
         parts = [
             self._exact_strides(is_differentiated, along[first : first + most])
             for first in range(0, max(len(along), 1), most)
         ]
         return strides_table(self, parts, along, is_differentiated=is_differentiated)
 
-    def _exact_strides(self, is_differentiated: bool, along: Sequence[Along]) -> own_runs.Strides:
+    def _exact_strides(self, is_differentiated: bool, along: Sequence[Along]) -> page_strides.Strides:
         starts = self.starts[:, : self.size].copy()
-        if isinstance(self.model, OwnModel):
-            return own_runs.strides_of(
+        if isinstance(self.model, PageModel):
+            return page_strides.strides_of(
                 self.model,
                 self.models,
                 self.held,
                 starts,
                 tolerance=self.runner.tolerance,
-                seeds=own_runs.seeds_of(self.model, along) if is_differentiated else None,
+                seeds=page_strides.seeds_of(self.model, along) if is_differentiated else None,
                 step_limit=self.step_limit or 0,
                 threads=self.threads or 1,
             )

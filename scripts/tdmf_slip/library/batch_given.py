@@ -20,7 +20,7 @@ from .engine import LAST_STRIDE, instruction_sets
 from .ground import LAST_RUNNER, RoughGround
 from .laws import AffineLaw, Law, check_law, numbers_up_to
 from .members import INPUTS
-from .own_model import OwnModel
+from .page_model import PageModel
 from .return_map import PATCH, refuse_patch
 from .runner import Runner
 from .settings import check_settings, checked_values, setting_number
@@ -106,8 +106,8 @@ class Given:
         self.runner, self.runners = runners[0], runners
         self.models: NDArray[Any]
         self.held: NDArray[Any]
-        if isinstance(self.model, OwnModel):
-            self.models, self.held = own_numbers(runners, self.varied)
+        if isinstance(self.model, PageModel):
+            self.models, self.held = page_numbers(runners, self.varied)
             self.refuse_patches()
             return
         if len(runners) == 1:
@@ -262,7 +262,7 @@ class Given:
         return self.__dict__.copy()
 
 
-def own_numbers(
+def page_numbers(
     runners: Sequence[Any], varied: Mapping[str, NDArray[np.float64]]
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Parameters and states of runners of a model of one's own, a row for each, or one for all."""

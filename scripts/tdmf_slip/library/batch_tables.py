@@ -13,13 +13,13 @@ from ..variables.table import MODELS, Model
 from .batch_given import Given
 from .engine import FATES, SETTLED, STOPPED, Engine
 from .laws import AffineLaw
-from .own_model import WORD, OwnModel
-from .own_runs import Strides
+from .page_model import WORD, PageModel
+from .page_strides import Strides
 from .quantities import LEDGER, STRIDE_QUANTITIES
 from .return_map import Along
 from .tables import Table
 
-OWN_ENDS = ("fate", "gait", "strides", "apex", "time")
+PAGE_ENDS = ("fate", "gait", "strides", "apex", "time")
 """Arrays of the ends of runs of any page; the runner's have more."""
 STRIDE_FATES = ("closed", "fell", "too_long", *FATES[3:6])
 """Fates of strides: those of runners, but for a stride that closed. A run that is undecided before its last
@@ -150,7 +150,7 @@ def ends_table(batch: Given, engine: Engine, work: Mapping[str, int], recorded: 
             values = values[:, : batch.size]
         return values[0] if batch.is_single else values
 
-    names = OWN_ENDS if batch.model.is_own else engine.ends.dtype.names or ()
+    names = PAGE_ENDS if batch.model.is_own else engine.ends.dtype.names or ()
     dimensions = dict.fromkeys(names, over) | {"apex": (*over, "coordinate")}
     return Table(
         dimensions,
@@ -200,7 +200,7 @@ def _noted(model: Model, engine: Engine) -> Mapping[str, NDArray[Any]]:
     """Quantities of recorded strides, shape (runners, strides), by name."""
     recorded = engine.recorded
     assert recorded is not None
-    if isinstance(model, OwnModel):
+    if isinstance(model, PageModel):
         assert engine.notes is not None
         values = engine.notes.values.reshape(*recorded.shape, -1)
         return {
@@ -215,7 +215,7 @@ def _noted(model: Model, engine: Engine) -> Mapping[str, NDArray[Any]]:
 def _words(model: Model, engine: Engine, closed: NDArray[np.bool_]) -> NDArray[np.str_]:
     """Words of recorded strides, as short as the longest of them; empty where none has closed."""
     assert engine.recorded is not None
-    if not isinstance(model, OwnModel):
+    if not isinstance(model, PageModel):
         return _texts_of(engine.recorded["stride"]["word"])
     notes = engine.notes
     assert notes is not None

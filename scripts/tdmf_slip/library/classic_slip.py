@@ -23,9 +23,9 @@ from numpy.typing import ArrayLike, NDArray
 from ..errors import InputError, RunError
 from ..variables.variable import Given
 from .binding import c, ffi
-from .own_model import package_model
-from .own_runner import OwnRunner
-from .own_runs import OwnStrides, seeds_of, strides_of
+from .page_model import package_model
+from .page_runner import PageRunner
+from .page_strides import PageStrides, seeds_of, strides_of
 
 TOLERANCE = 1e-14
 """Relative tolerance of the solver."""
@@ -115,18 +115,18 @@ def slip(
     ground_slope: float = 0.0,
     retraction_rate: float = 0.0,
     **parameters: float,
-) -> OwnRunner:
+) -> PageRunner:
     """The paper's SLIP; further `parameters` have the names of the page."""
     given = {"touchdown_angle": angle, "slope": ground_slope, "retraction_rate": retraction_rate}
     given["friction"] = NO_SLIP if math.isinf(friction) else friction
     return _runner("at_apex", given | parameters)
 
 
-def _runner(section: str, given: Mapping[str, Given]) -> OwnRunner:
-    return OwnRunner(given, model=package_model("classic_slip", section), tolerance=TOLERANCE)
+def _runner(section: str, given: Mapping[str, Given]) -> PageRunner:
+    return PageRunner(given, model=package_model("classic_slip", section), tolerance=TOLERANCE)
 
 
-def _strides(runner: OwnRunner, heights: ArrayLike, energy: float, until: float = LONGEST) -> OwnStrides:
+def _strides(runner: PageRunner, heights: ArrayLike, energy: float, until: float = LONGEST) -> PageStrides:
     """Runs from apices to the next, or until a time, s, after the start."""
     of_height = np.atleast_1d(np.asarray(heights, float))
     return strides_of(
@@ -140,12 +140,12 @@ def _strides(runner: OwnRunner, heights: ArrayLike, energy: float, until: float 
     )
 
 
-def step(slip: OwnRunner, height: float, energy: float = ENERGY) -> Step:
+def step(slip: PageRunner, height: float, energy: float = ENERGY) -> Step:
     """One step of the return map."""
     return steps(slip, height, energy)[0]
 
 
-def steps(slip: OwnRunner, heights: ArrayLike, energy: float = ENERGY) -> list[Step]:
+def steps(slip: PageRunner, heights: ArrayLike, energy: float = ENERGY) -> list[Step]:
     """Steps of the return map from apices of one energy."""
     made = _strides(slip, heights, energy)
     refused = made.points[made.ends["outcome"] == c.TDMF_PAGE_REFUSED].tolist()
@@ -156,7 +156,7 @@ def steps(slip: OwnRunner, heights: ArrayLike, energy: float = ENERGY) -> list[S
     return [_step(slip, end, states, slope) for end, states, slope in rows]
 
 
-def _step(slip: OwnRunner, end: np.void, states: list[float], slope: float) -> Step:
+def _step(slip: PageRunner, end: np.void, states: list[float], slope: float) -> Step:
     at, modes = dict(zip(slip.model.state_numbers, states, strict=True)), slip.model.table["modes"]
     crossed = end["outcome"] == c.TDMF_PAGE_CROSSED
     outcome = (FLIES if at["vx"] > 0.0 else TURNS_BACK) if crossed else _ENDS[modes[end["mode"]][0]]
@@ -180,7 +180,7 @@ def _step(slip: OwnRunner, end: np.void, states: list[float], slope: float) -> S
     )
 
 
-def path(slip: OwnRunner, height: float, times: ArrayLike, energy: float = ENERGY) -> NDArray[np.float64]:
+def path(slip: PageRunner, height: float, times: ArrayLike, energy: float = ENERGY) -> NDArray[np.float64]:
     """Position of the mass relative to the foot, and velocity, at times after an apex: a row for each."""
     x, y = step(slip, height, energy).foot
     states = [_strides(slip, height, energy, time).states[0] for time in np.atleast_1d(times)]
@@ -188,12 +188,12 @@ def path(slip: OwnRunner, height: float, times: ArrayLike, energy: float = ENERG
     return np.array(states)[:, columns].T - [[x], [y], [0.0], [0.0]]
 
 
-def highest(slip: OwnRunner, energy: float = ENERGY) -> float:
+def highest(slip: PageRunner, energy: float = ENERGY) -> float:
     """Apex height, m, at which all energy, J, is potential."""
     return energy / (slip["mass"] * slip["gravity"])
 
 
-def heights(slip: OwnRunner, count: int, energy: float = ENERGY) -> NDArray[np.float64]:
+def heights(slip: PageRunner, count: int, energy: float = ENERGY) -> NDArray[np.float64]:
     """`count` apex heights, m, between that with the foot on the ground and the highest, both left out."""
     angle, slope = slip["touchdown_angle"], slip["slope"]
     low = slip["free_length"] * (math.cos(angle) + math.sin(angle) * math.tan(slope))
@@ -256,7 +256,7 @@ def _fold(guess: NDArray[np.float64], energy: float, given: dict[str, float]) ->
     return point
 
 
-def _fixed_point(runner: OwnRunner, height: float, energy: float) -> FixedPoint:
+def _fixed_point(runner: PageRunner, height: float, energy: float) -> FixedPoint:
     made, given = step(runner, height, energy), runner
     return FixedPoint(
         given["touchdown_angle"],

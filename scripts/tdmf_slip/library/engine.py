@@ -16,7 +16,7 @@ from ..uninterrupted import in_block, stop_flag, uninterrupted
 from .binding import c, check_accepted, ffi, text_of
 from .c_structs import END, STATE, STRIDE, WIDTH, address, dtype_of
 from .laws import AffineLaw, CheckedLaw, Law
-from .own_model import EVENT_ROOM, OwnModel
+from .page_model import EVENT_ROOM, PageModel
 from .settings import setting_number
 
 if TYPE_CHECKING:
@@ -52,7 +52,7 @@ def instruction_sets() -> tuple[str, ...]:
 class Notes:
     """States and events of a model of one's own that the engine notes where strides close."""
 
-    def __init__(self, model: OwnModel, strides: int) -> None:
+    def __init__(self, model: PageModel, strides: int) -> None:
         states = np.array(list(model.noted), np.intc)
         room = 0 if model.letters else EVENT_ROOM
         self.values = np.zeros((strides, len(states)))
@@ -77,7 +77,7 @@ class Engine:
     def __init__(self, batch: Given) -> None:
         models, held, starts, foot_x = batch.models, batch.held, batch.starts, batch.foot_x
         self.batch, self.model, count = batch, batch.model, len(starts)
-        self.library = self.model.library if isinstance(self.model, OwnModel) else c
+        self.library = self.model.library if isinstance(self.model, PageModel) else c
         self.made = 0
         self.ends = np.zeros(count, END)
         self.recorded: NDArray[Any] | None = None
@@ -89,7 +89,7 @@ class Engine:
         self._most = self.rules["max_strides"]
         self._work = ffi.new("tdmf_ensemble_work *")
         self._request = request = ffi.new("tdmf_ensemble *")
-        if isinstance(self.model, OwnModel):
+        if isinstance(self.model, PageModel):
             request.page, request.section = self.model.page, self.model.checked_section
             cases["parameters"], cases["states"] = self._rows(models), self._rows(held)
         else:
@@ -220,7 +220,7 @@ class Engine:
         self.recorded = np.zeros((len(self.ends), strides), STRIDE)
         self._request.strides = self._pointer("tdmf_ensemble_stride[]", self.recorded)
         self._request.first_stride, self._request.stride_count = self.made, strides
-        if isinstance(self.model, OwnModel):
+        if isinstance(self.model, PageModel):
             self.notes = Notes(self.model, len(self.ends) * strides)
             self._request.notes = self.notes.struct
 

@@ -11,7 +11,7 @@ from ..numerics.newton import NotSolvedError, solve
 from .binding import c
 from .gait import Gait
 from .members import at_friction, check_comes_down, check_has_gaits
-from .own_runs import Strides
+from .page_strides import Strides
 from .return_map import Along, derivatives, refuse_patch
 from .runner import Runner
 from .section import Apex, checked_apex

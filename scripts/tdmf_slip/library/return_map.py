@@ -16,7 +16,7 @@ from ..variables.table import Model, by_full_name
 from ..variables.variable import Given
 from .members import Along as Along
 from .members import at_friction, check_varied
-from .own_runs import Strides
+from .page_strides import Strides
 from .runner import Runner
 from .section import Apex, checked_apex
 

@@ -28,7 +28,7 @@ from .section import COORDINATES
 
 
 class RunnerStrides:
-    """Strides of the package's own models, from the library's structs; see `own_runs.OwnStrides`.
+    """Strides of the package's own models, from the library's structs; see `page_strides.PageStrides`.
 
     `value_of` gives a parameter of the runners by its name. `along` are directions of derivatives, None for
     none. `measured` makes the strides with what is measured along them; by default the structs have it.

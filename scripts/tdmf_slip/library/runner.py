@@ -24,7 +24,7 @@ from .section import Apex, checked_apex
 from .shared_steps import search_under_way
 
 if TYPE_CHECKING:
-    from .own_runs import Strides
+    from .page_strides import Strides
 
 TOLERANCE = 1e-13
 """Relative tolerance of the native solver: the next apex is then that of a gait to 1e-11 of the scales, and

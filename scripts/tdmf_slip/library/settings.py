@@ -10,7 +10,7 @@ from ..errors import InputError
 from ..variables.table import MODELS, Model
 from .binding import c
 from .ground import RoughGround
-from .own_model import OwnModel
+from .page_model import PageModel
 from .runner import Runner
 
 SETTINGS = MODELS["full"].settings
@@ -34,7 +34,7 @@ def setting_number(name: object, what: str, model: Model = MODELS["full"]) -> in
     if is_one_of(name, known):
         return (
             model.setting_number(name)
-            if isinstance(model, OwnModel)
+            if isinstance(model, PageModel)
             else int(c.tdmf_setting_of(name.encode()))
         )
     allowed = ", ".join(known) or "none; a page declares settings, and parameters that are tunable"

@@ -11,7 +11,7 @@ from matplotlib.patches import Polygon
 from numpy.typing import NDArray
 
 from ...library import classic_slip
-from ...library.own_runner import OwnRunner
+from ...library.page_runner import PageRunner
 from ...pictures import style
 from ...pictures.model import spring
 from ..evidence import SLIP_ANGLE, gather_classic
@@ -182,7 +182,7 @@ def _early() -> tuple[float, NDArray[np.float64]]:
     return friction, _stance(classic_slip.slip(STANCE_ANGLE, friction))
 
 
-def _stance(slip: OwnRunner) -> NDArray[np.float64]:
+def _stance(slip: PageRunner) -> NDArray[np.float64]:
     """Position and velocity of the mass relative to the foot along a stance: a row for each."""
     step = classic_slip.step(slip, HEIGHT)
     times = step.touchdown_time + step.stance_time * np.linspace(0.0, 1.0, POINTS)

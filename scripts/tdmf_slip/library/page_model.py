@@ -1,4 +1,4 @@
-"""Models of one's own: libraries that `build` made of pages, with their tables."""
+"""Models of pages, with their tables: of one's own, in libraries that `build` made, and of the package."""
 
 import json
 import os
@@ -32,13 +32,13 @@ BETWEEN_EVENTS = "-"
 """Separator of the events in the word of a stride."""
 PERIOD = Quantity("period", "s", "Time from one crossing of the section to the next", "")
 FREQUENCY = Quantity("frequency", "Hz", "Strides per second, one over the period", "")
-_loaded: dict[tuple[Path, str, str], "OwnModel"] = {}
+_loaded: dict[tuple[Path, str, str], "PageModel"] = {}
 _lock = threading.Lock()
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
-class OwnModel(Model):
-    """A model of one's own, as `load_model` gives it. As a runner it stands for the page's own values."""
+class PageModel(Model):
+    """A model of a page, as `load_model` gives it. As a runner it stands for the page's own values."""
 
     folder: Path | None
     """The folder of the build; None for a page of the package."""
@@ -66,13 +66,13 @@ class OwnModel(Model):
     @property
     def runner_class(self) -> type[Any]:
         """The class of its runners."""
-        from .own_runner import OwnRunner  # knows models
+        from .page_runner import PageRunner  # knows models
 
-        return OwnRunner
+        return PageRunner
 
     @property
     def is_own(self) -> bool:
-        """It is a model of a user's own page."""
+        """It runs as a page, as a model of a user's own does."""
         return True
 
     @property
@@ -220,7 +220,7 @@ class OwnModel(Model):
             )
 
 
-def load_model(path: str | os.PathLike[str], *, section: str | None = None) -> OwnModel:
+def load_model(path: str | os.PathLike[str], *, section: str | None = None) -> PageModel:
     """Load a model of one's own, as `build` or `tdmf-slip build` made it.
 
     It may be given for a runner, which then has the page's own values, and for the name of a model:
@@ -279,7 +279,7 @@ def load_model(path: str | os.PathLike[str], *, section: str | None = None) -> O
 
 
 @cache
-def package_model(name: str, section: str) -> OwnModel:
+def package_model(name: str, section: str) -> PageModel:
     """A page of the package's library, of which the package has the table, as a model."""
     table = json.loads(Path(data.__file__).with_name(f"{name}.json").read_text(encoding="utf-8"))
     number = [of["name"] for of in table["sections"]].index(section)
@@ -295,7 +295,7 @@ def text_of_code(code: float, letters: str) -> str:
     return "".join(reversed(digits))
 
 
-def _unpickled(folder: str, section: str | None) -> OwnModel:
+def _unpickled(folder: str, section: str | None) -> PageModel:
     return load_model(folder, section=section)
 
 
@@ -313,7 +313,7 @@ def _identity(folder: Path) -> Mapping[str, Any]:
     return table
 
 
-def _model(folder: Path | None, table: Mapping[str, Any], section: int, library: Any) -> OwnModel:
+def _model(folder: Path | None, table: Mapping[str, Any], section: int, library: Any) -> PageModel:
     page = library.tdmf_page_named(table["c_name"].encode())
     quantities = [*table["parameters"], *(s for s in table["states"] if s["role"] in ("input", "start"))]
     variables = {of["public"]: _variable(of) for of in quantities}
@@ -325,7 +325,7 @@ def _model(folder: Path | None, table: Mapping[str, Any], section: int, library:
     }
     coordinates = _coordinates_of(table, section)
     varied = (of["public"] for of in quantities if of["role"] != "start" and not of["is_boolean"])
-    return OwnModel(
+    return PageModel(
         name=table["c_name"],
         coordinates=tuple(coordinates),
         quantities=_quantities_of(table, coordinates),

@@ -1,4 +1,4 @@
-"""Runners of models of one's own, and the maps that they go by."""
+"""Runners of models of pages, and the maps that they go by."""
 
 import math
 from collections.abc import Sequence
@@ -12,16 +12,16 @@ from ..errors import GaitNotFoundError, InputError, RunError
 from ..variables.table import DIMENSIONS
 from .binding import c, ffi
 from .members import Along
-from .own_model import OwnModel
-from .own_runs import MapRequest, OwnStrides, seeds_of, strides_of
+from .page_model import PageModel
+from .page_strides import MapRequest, PageStrides, seeds_of, strides_of
 from .runner import Runner
 from .section import Apex, checked_apex
 
 
-class OwnRunner(Runner):
-    """A runner of a model of one's own."""
+class PageRunner(Runner):
+    """A runner of the model of a page."""
 
-    model: OwnModel
+    model: PageModel
     """The model."""
     parameters: NDArray[np.float64]  # type: ignore[assignment]
     """Parameters in the order of their numbers, shape (1, number of them)."""
@@ -87,7 +87,7 @@ class OwnRunner(Runner):
         varied: bool = False,
         along: Along | None = None,
         is_reported: bool = False,
-    ) -> OwnStrides:
+    ) -> PageStrides:
         """One stride from a point of the section, always with its events."""
         return strides_of(
             self.model,

@@ -1,4 +1,4 @@
-"""Runs of models of one's own: strides with derivatives, many at a time, and runs from the start."""
+"""Strides of models of pages, with derivatives and many at a time, and requests for their maps."""
 
 from collections.abc import Sequence
 from typing import Any, TypeAlias
@@ -11,7 +11,7 @@ from .binding import c, ffi
 from .c_structs import dtype_of
 from .events import Event
 from .members import Along
-from .own_model import EVENT_ROOM, WORD, OwnModel
+from .page_model import EVENT_ROOM, WORD, PageModel
 from .returns import RunnerStrides
 
 LONGEST = 1e4
@@ -25,19 +25,19 @@ OUTCOMES[[c.TDMF_PAGE_CROSSED, c.TDMF_PAGE_ENDED]] = c.TDMF_RETURN_CLOSED, c.TDM
 OUTCOMES[[c.TDMF_PAGE_TOO_LONG, c.TDMF_PAGE_REFUSED]] = c.TDMF_RETURN_TOO_LONG, c.TDMF_RETURN_REFUSED
 
 
-def seeds_of(model: OwnModel, along: Sequence[Along]) -> NDArray[np.float64]:
+def seeds_of(model: PageModel, along: Sequence[Along]) -> NDArray[np.float64]:
     """Directions as changes of parameters and then of states, shape (seeds, parameters + states)."""
     rows = [model.seed({one: 1.0} if isinstance(one, str) else one) for one in along]
     width = len(model.table["parameters"]) + len(model.table["states"])
     return np.array([np.concatenate(row) for row in rows]).reshape(len(rows), width)
 
 
-class OwnStrides:
-    """Strides of models of one's own: where they begin, their ends, states with derivatives, and events."""
+class PageStrides:
+    """Strides of models of pages: where they begin, their ends, states with derivatives, and events."""
 
     def __init__(
         self,
-        model: OwnModel,
+        model: PageModel,
         points: NDArray[np.float64],
         ends: NDArray[Any],
         states: NDArray[np.float64],
@@ -107,12 +107,12 @@ class OwnStrides:
         }.get(end["outcome"], f"the run cannot be followed {at}")
 
 
-Strides: TypeAlias = RunnerStrides | OwnStrides
+Strides: TypeAlias = RunnerStrides | PageStrides
 """One stride of each of some runners. Numbers of a stride that has not closed mean nothing."""
 
 
 def strides_of(
-    model: OwnModel,
+    model: PageModel,
     parameters: NDArray[np.float64],
     states: NDArray[np.float64],
     points: NDArray[np.float64],
@@ -123,7 +123,7 @@ def strides_of(
     step_limit: int = 0,
     threads: int = 1,
     is_reported: bool = True,
-) -> OwnStrides:
+) -> PageStrides:
     """One stride of each of many runners from points of the section, shape (runners, n).
 
     Parameters and states have a row for each runner, or one for all. With `seeds`, shape (seeds, parameters
@@ -155,7 +155,7 @@ def strides_of(
         raise MemoryError("the engine found no memory, or its request was not sound")
     if flag[0]:
         raise KeyboardInterrupt
-    return OwnStrides(model, points, ends, made, by, rows)
+    return PageStrides(model, points, ends, made, by, rows)
 
 
 class MapRequest:
@@ -163,7 +163,7 @@ class MapRequest:
 
     def __init__(
         self,
-        model: OwnModel,
+        model: PageModel,
         parameters: NDArray[np.float64],
         states: NDArray[np.float64],
         tolerance: float,
