@@ -57,7 +57,7 @@ class Held:
     @property
     def strides(self):
         """Number of strides completed so far."""
-        return self.motion.record.stride.count
+        return int(self.motion.state[c.TDMF_STRIDE_COUNT])
 
     @property
     def position(self):
@@ -81,7 +81,7 @@ class Held:
 
     def controlled_angle(self):
         """Touchdown angle that the controller sets after a stride."""
-        error = self.motion.record.stride.speed - WANTED_SPEED
+        error = self.motion.state[c.TDMF_STRIDE_SPEED] - WANTED_SPEED
         self.errors += error
         angle = PROPORTIONAL_GAIN * error + INTEGRAL_GAIN * self.errors
         return max(-LARGEST_ANGLE, min(LARGEST_ANGLE, angle))
@@ -94,7 +94,7 @@ def by_communication(step, stop_time=LONGEST, delay=1):
         held.inputs.control.touchdown_angle = ordered[0]
         closed = held.advance(time + step)
         ordered = [*ordered[1:], held.controlled_angle() if closed else ordered[-1]]
-        speed = held.motion.record.stride.speed
+        speed = held.motion.state[c.TDMF_STRIDE_SPEED]
         angle = held.motion.state[c.TDMF_LEG_ANGLE]
         rows.append((time, held.position, angle, speed, held.inputs.control.touchdown_angle))
         time += step

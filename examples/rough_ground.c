@@ -93,11 +93,11 @@ int main(int argc, char *argv[]) {
             fprintf(stderr, "%s\n", tdmf_outcome_text(outcome));
             return EXIT_FAILURE;
         }
-        if (run.record.stride.count > strides) {
-            strides = run.record.stride.count;
+        if (run.state[TDMF_STRIDE_COUNT] > strides) {
             tdmf_outputs_of(system, &run, &now);
-            printf("%d,%.3f,%.4f,%s,%.4f\n", strides, now.com.x, inputs.ground.height, run.record.stride.word,
-                   run.record.stride.speed);
+            strides = now.stride.count;
+            printf("%d,%.3f,%.4f,%s,%.4f\n", strides, now.com.x, inputs.ground.height, now.stride.word,
+                   now.stride.speed);
         }
     }
     if (run.mode.fallen) {

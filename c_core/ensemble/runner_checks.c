@@ -109,7 +109,7 @@ static bool may_have_patch(tdmf_refusal *why, const tdmf_ensemble_case *its_case
 }
 
 static bool are_foot_positions(tdmf_refusal *why, const double *foot_x, int64_t count) {
-    const tdmf_range *range = &tdmf_state_ranges[TDMF_FOOT_X];
+    const tdmf_range *range = &tdmf_state_ranges[0];
     for (int64_t i = 0; foot_x != NULL && i < count; ++i) {
         if (!tdmf_accepts_element(why, "foot_x[]", i, foot_x[i], range->minimum, range->maximum)) {
             return false;

@@ -250,13 +250,13 @@ static bool is_placed(tdmf_member *member, const double section[TDMF_SECTION_COU
         memcpy(before, member->run->x, (size_t)model->state_count * sizeof *before);
         model->sections[0].enter(member->run->p, before, section, member->run->x);
         x = states_of(member);
-        tdmf_write_page_state(&x, motion.state);
+        memcpy(motion.state, &x, sizeof x);
     } else {
         tdmf_section_state_at(system, member->end->foot_x, section, motion.state);
-        tdmf_read_page_state(motion.state, &x);
+        memcpy(&x.seen_x, motion.state + TDMF_FOOT_X, TDMF_MECHANICAL_COUNT * sizeof(double));
         write_states(member, &x);
     }
-    return !tdmf_start(system, &motion).variable && motion.record.progress.open.began_at_apex;
+    return !tdmf_start(system, &motion).variable && motion.state[TDMF_STRIDE_IS_OPEN] > 0.0;
 }
 
 /* True if damper, springs and inertias of the first mode show that it would take too many steps. */

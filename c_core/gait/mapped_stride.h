@@ -29,8 +29,7 @@ bool tdmf_is_sound_stride(tdmf_refusal *why, const tdmf_stride_request *request)
 /* The time that a stride may take, s. */
 double tdmf_longest_of(const tdmf_stride_request *request);
 
-/* Writes the quantities of the stride that the record closed last, in a run that began with it; `state` has
- * what is lost up to the end of the stance. */
-void tdmf_write_return(const tdmf_record *record, const double state[TDMF_STATE_COUNT], tdmf_return *result);
+/* Writes the quantities of the stride that has closed last, in a run that began with it. */
+void tdmf_write_return(const runner_states *x, tdmf_return *result);
 
 #endif

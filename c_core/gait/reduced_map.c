@@ -81,7 +81,7 @@ void tdmf_reduced_state(tdmf_system system, const double apex[TDMF_REDUCED_COUNT
     read_system(&tdmf_reduced_runner_part, system, p, inputs);
     enter(&tdmf_reduced_runner_part, p, apex, inputs, x);
     const runner_states world = states_of(&tdmf_reduced_runner_part, x);
-    tdmf_write_page_state(&world, state);
+    memcpy(state, &world, sizeof world);
 }
 
 /* Begins the motion of a stride. TDMF_RETURN_CLOSED where it has an apex. */
@@ -95,7 +95,7 @@ static tdmf_return_outcome begin_motion(const tdmf_stride_request *request, tdmf
         return TDMF_RETURN_NO_START;
     }
     const bool begins =
-        tdmf_accepts(why, tdmf_start(system, motion)) && motion->record.progress.open.began_at_apex;
+        tdmf_accepts(why, tdmf_start(system, motion)) && motion->state[TDMF_STRIDE_IS_OPEN] > 0.0;
     return begins ? TDMF_RETURN_CLOSED : TDMF_RETURN_REFUSED;
 }
 
@@ -294,12 +294,12 @@ static tdmf_stride_variation variation_of(const tdmf_page_part *page, const doub
 }
 
 static void write_stride(const stride *s, tdmf_return *result) {
-    const tdmf_motion motion = motion_at(s, s->x, s->run.mode, s->run.mode, s->run.time);
-    result->apex[TDMF_SECTION_COM_HEIGHT] = motion.record.apex.com_height;
-    result->apex[TDMF_SECTION_COM_SPEED] = motion.record.apex.com_speed;
-    result->liftoff_angle = states_of(s->page, s->lift_off).liftoff_angle;
-    tdmf_write_return(&motion.record, motion.state, result);
-    result->impact_loss = states_of(s->page, s->lift_off).impact_loss; /* without a touchdown at the apex */
+    const runner_states x = states_of(s->page, s->x), lift_off = states_of(s->page, s->lift_off);
+    result->apex[TDMF_SECTION_COM_HEIGHT] = x.apex_com_height;
+    result->apex[TDMF_SECTION_COM_SPEED] = x.apex_com_speed;
+    result->liftoff_angle = lift_off.liftoff_angle;
+    tdmf_write_return(&x, result);
+    result->impact_loss = lift_off.impact_loss; /* without a touchdown at the apex */
     result->leg_loss = leg_loss_of(s);
     for (int i = 0; i < s->run.seed_count; ++i) {
         result->variations[i] = variation_of(s->page, s->dx + i * s->page->model->state_count);

@@ -6,6 +6,7 @@
 #include "input_rates.h"
 #include "kinematics.h"
 #include "mapped_stride.h"
+#include "page_fields.h"
 #include "patch.h"
 #include "reduced_stride.h"
 #include "refusal.h"
@@ -78,18 +79,17 @@ static bool begin_motion(const tdmf_stride_request *request, tdmf_motion *motion
     const double foot_x = request->foot_x == NULL ? 0.0 : *request->foot_x;
     motion->time = 0.0;
     tdmf_section_state_at(request->system, foot_x, request->apex, motion->state);
-    return tdmf_accepts(why, tdmf_start(request->system, motion)) &&
-           motion->record.progress.open.began_at_apex;
+    return tdmf_accepts(why, tdmf_start(request->system, motion)) && motion->state[TDMF_STRIDE_IS_OPEN] > 0.0;
 }
 
 /* ---- results of both maps ------------------------------------------------------------------------------ */
 
-void tdmf_write_return(const tdmf_record *record, const double state[TDMF_STATE_COUNT], tdmf_return *result) {
-    result->stride = record->stride;
-    result->external_work = state[TDMF_ENERGY_EXTERNAL_WORK];
-    result->damper_loss = state[TDMF_ENERGY_DAMPER_LOSS];
-    result->friction_loss = state[TDMF_ENERGY_FRICTION_LOSS];
-    result->impact_loss = record->impact_loss;
+void tdmf_write_return(const runner_states *x, tdmf_return *result) {
+    result->stride = tdmf_page_stride_of(x);
+    result->external_work = x->external_work;
+    result->damper_loss = x->damper_loss;
+    result->friction_loss = x->friction_loss;
+    result->impact_loss = x->impact_loss;
 }
 
 const char *tdmf_return_outcome_text(tdmf_return_outcome outcome) {
@@ -221,15 +221,17 @@ static void write_variations(const tdmf_mapped_stride *s, tdmf_return *result) {
 }
 
 static void write_stride(const tdmf_mapped_stride *s, tdmf_return *result) {
-    const runner_states *x = &s->solver.point.x;
+    const tdmf_page_point *point = &s->solver.point;
+    const runner_states *x = &point->x;
     const double apex[TDMF_SECTION_COUNT] = {x->apex_com_height, x->apex_com_speed,   x->apex_length,
                                              x->apex_angle,      x->apex_length_rate, x->apex_angle_rate};
-    tdmf_motion motion = s->start;
-    tdmf_motion_of_page(s->request->system, &s->solver.point, s->solver.last_mode, &motion);
+    runner_states seen = *x;
+    tdmf_runner_model.modes[point->mode].to_world((const double *)&point->p, (const double *)x,
+                                                  (double *)&seen);
     memcpy(result->apex, apex, sizeof apex);
-    result->foot_x = motion.state[TDMF_FOOT_X];
+    result->foot_x = seen.seen_x;
     result->liftoff_angle = x->liftoff_angle;
-    tdmf_write_return(&motion.record, motion.state, result);
+    tdmf_write_return(x, result);
     if (s->request->measures) {
         result->measures = measures_of(x);
     }

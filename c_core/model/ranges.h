@@ -33,20 +33,6 @@ extern const size_t tdmf_parameter_flag_count;
 extern const tdmf_range tdmf_input_ranges[TDMF_INPUT_COUNT];
 extern const tdmf_range tdmf_state_ranges[TDMF_MECHANICAL_COUNT];
 
-/* Quantities that states are, with a scale. */
-typedef enum {
-    TDMF_QUANTITY_LENGTH,
-    TDMF_QUANTITY_ANGLE,
-    TDMF_QUANTITY_VELOCITY,
-    TDMF_QUANTITY_ANGULAR_VELOCITY,
-    TDMF_QUANTITY_TIME,
-    TDMF_QUANTITY_TORQUE,
-    TDMF_QUANTITY_ENERGY,
-    TDMF_QUANTITY_COUNT
-} tdmf_quantity;
-
-extern const tdmf_quantity tdmf_state_quantities[TDMF_STATE_COUNT];
-
 /* NaN is in no range. */
 static inline bool tdmf_in_range(const tdmf_range *range, double value) {
     return value >= range->minimum && value <= range->maximum;

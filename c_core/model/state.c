@@ -4,6 +4,7 @@
 #include "ranges.h"
 
 #include <math.h>
+#include <string.h>
 
 tdmf_ground_line tdmf_ground_line_of(double height, double slope) {
     const tdmf_ground_line line = {height, slope, sin(slope), cos(slope)};
@@ -11,7 +12,8 @@ tdmf_ground_line tdmf_ground_line_of(double height, double slope) {
 }
 
 void tdmf_default_state(double state[TDMF_STATE_COUNT]) {
-    for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
-        state[i] = i < TDMF_MECHANICAL_COUNT ? tdmf_state_ranges[i].start : 0.0;
+    memset(state, 0, TDMF_STATE_COUNT * sizeof *state);
+    for (int i = 0; i < TDMF_MECHANICAL_COUNT; ++i) {
+        state[TDMF_FOOT_X + i] = tdmf_state_ranges[i].start;
     }
 }

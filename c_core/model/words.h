@@ -5,11 +5,7 @@
 
 #include "tdmf_slip/stride.h"
 
-double tdmf_code_of_word(const char *word);
 void tdmf_write_word(double code, char word[TDMF_WORD_CAPACITY]);
-
-/* The digit of the last letter; 0 if there is none or the word has been cut. */
-double tdmf_last_letter(const char *word);
 
 /* The code as in tdmf_stride: -1 for a word of more than 15 letters, two bits each in a 32-bit Integer. */
 int tdmf_short_word_code(double code);

@@ -1,10 +1,10 @@
 """Tables of the runner's unit for the C library, the Python package and the unit's documentation."""
 
 import html
-import re
+from types import SimpleNamespace
 
 from ..hybrid.description import base_unit
-from ..hybrid.unit import DEGREES, DISPLAY, QUANTITIES as MEASURED
+from ..hybrid.unit import DEGREES, DISPLAY
 from .unit import MODELS, OTHER_SHORT_NAMES, QUANTITIES, SCALES, UNITS
 
 C_TYPES = {float: "double", bool: "bool"}
@@ -33,10 +33,11 @@ enum {{
     TDMF_SETTING_LIMIT = {setting_count}
 }};
 
-/* Indices into a state vector of TDMF_STATE_COUNT doubles. The first eight are q and its rate, in the order
- * of the paper's q = (x, y, r, theta); the rest are integrals along the run and a clock. The leg's angle is
- * never wrapped: the hip unwinds a leg that has wound. After a thousand turns an angle is known to 1e-12,
- * and so is all that follows from it. */
+/* Indices of the states of a run, which are those of its page. TDMF_FOOT_X and the next seven are q and its
+ * rate, in the order of the paper's q = (x, y, r, theta). Other states are integrals along the run, its last
+ * stride and apex, and its memory. Times among the states are those of the run's own clock, TDMF_STRIDE_TIME,
+ * which a solver may set anew. The leg's angle is never wrapped: the hip unwinds a leg that has wound. After
+ * a thousand turns an angle is known to 1e-12, and so is all that follows from it. */
 {states}
 
 /* Each guard is a pure number, positive while its event is to come; at zero or below, the event is due. A
@@ -69,10 +70,6 @@ const tdmf_range tdmf_input_ranges[TDMF_INPUT_COUNT] = {{
 const tdmf_range tdmf_state_ranges[TDMF_MECHANICAL_COUNT] = {{
 {states}
 }};
-
-const tdmf_quantity tdmf_state_quantities[TDMF_STATE_COUNT] = {{
-{quantities}
-}};
 """
 VARIABLES_HERE = "<!-- variables -->"
 """Placeholder of the list of variables in the page of documentation."""
@@ -99,8 +96,15 @@ def inputs_of(unit):
 
 
 def states_of(unit):
-    """The states of `tdmf_state`."""
-    return [row for row in unit.rows if row.storage == "STATE"]
+    """The states of the page, by their names in the unit."""
+    public = unit.page.model.public
+    return [SimpleNamespace(name=public(name), about=state.meaning, unit=state.unit or "1")
+            for name, state in unit.page.states.items()]
+
+
+def mechanical_of(unit):
+    """The states that take a start value."""
+    return [row for row in unit.rows if row.storage == "STATE" and row.is_set]
 
 
 def comment_of(row):
@@ -164,13 +168,10 @@ def ranges(unit):
             flags.append(f'    {{"{row.name}", {str(bool(row.start)).lower()}, {offset}}},')
         else:
             numbers.append(range_row(row, offset))
-    in_words = {unit: re.sub(r"(?<=[a-z])(?=[A-Z])", "_", name).upper() for unit, name in MEASURED.items()}
     return RANGES.format(
         top=TOP, parameters="\n".join(numbers), flags="\n".join(flags),
         inputs="\n".join(range_row(row, f"offsetof(tdmf_inputs, {row.name})") for row in inputs_of(unit)),
-        states="\n".join(range_row(row, "0") for row in states_of(unit) if row.is_set),
-        quantities="\n".join(
-            f"    [{constant(row)}] = TDMF_QUANTITY_{in_words[row.unit]}," for row in states_of(unit)))
+        states="\n".join(range_row(row, "0") for row in mechanical_of(unit)))
 
 
 def documentation_page(unit, template):
@@ -229,7 +230,7 @@ def package_table(unit):
     }
     names = {
         "PARAMETERS": parameters_of(unit), "INPUTS": inputs_of(unit),
-        "STATES": [row for row in states_of(unit) if row.is_set],
+        "STATES": mechanical_of(unit),
     }
     lines = [f'"""{TOP}"""', "from math import inf", f"DIMENSIONS = {dimensions(unit)}",
              f"ALIASES = {short_names(unit)}"]

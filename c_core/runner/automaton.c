@@ -52,7 +52,8 @@ tdmf_guard tdmf_first_due(tdmf_system system, const tdmf_mode *mode, const doubl
 
 void tdmf_observe(tdmf_system system, tdmf_motion *motion) {
     tdmf_mode *mode = &motion->mode;
-    tdmf_open_stride *open = &motion->record.progress.open;
+    double *peak = &motion->state[TDMF_STRIDE_PEAK_FORCE_SO_FAR];
+    double *vertical_peak = &motion->state[TDMF_STRIDE_VERTICAL_SO_FAR];
     tdmf_motion_instant instant;
     if (!tdmf_is_loaded(mode) || mode->fallen) {
         return;
@@ -60,23 +61,22 @@ void tdmf_observe(tdmf_system system, tdmf_motion *motion) {
     tdmf_begin_instant(&instant, system, mode, motion->state);
     const tdmf_observed_force normal = tdmf_normal_force_at(&instant);
     const tdmf_observed_force vertical = tdmf_vertical_force_at(&instant);
-    open->peak_force = fmax(open->peak_force, normal.force);
-    open->peak_vertical_force = fmax(open->peak_vertical_force, vertical.force);
+    *peak = fmax(*peak, normal.force);
+    *vertical_peak = fmax(*vertical_peak, vertical.force);
     mode->ground_force_rising = normal.rate > 0.0;
     mode->vertical_force_rising = vertical.rate > 0.0;
 }
 
 /* ---- chains -------------------------------------------------------------------------------------------- */
 
-/* The states in the world's coordinates, with heights as the page has them. */
+/* The states, with the world's coordinates up to date. */
 static void write_world_state(const tdmf_page_point *point, double state[TDMF_STATE_COUNT]) {
-    runner_states x = point->x, room;
-    tdmf_show_to_world(&tdmf_runner_model, point->mode, (const double *)&point->p, (double *)&x,
-                       (double *)&room);
-    tdmf_write_page_state(&x, state);
+    runner_states room;
+    memcpy(state, &point->x, sizeof point->x);
+    tdmf_show_to_world(&tdmf_runner_model, point->mode, (const double *)&point->p, state, (double *)&room);
 }
 
-/* Mechanical states that no event changes keep their values, which the maps to the page and back round. */
+/* Coordinates that no event changes keep their values, which the maps to the page and back round. */
 bool tdmf_settle_motion(tdmf_system system, tdmf_motion_instant *instant, tdmf_motion *motion,
                         tdmf_chain *chain) {
     tdmf_page_point *point = &instant->point;
@@ -93,11 +93,9 @@ bool tdmf_settle_motion(tdmf_system system, tdmf_motion_instant *instant, tdmf_m
     point->mode = run.mode;
     point->above = (uint64_t)(instant->watch[EVENT_apex] == WATCH_ABOVE) << EVENT_apex;
     memcpy(given, motion->state, sizeof given);
-    const tdmf_record record = motion->record;
     tdmf_motion_of_page(system, point, last_mode, motion);
-    motion->record = chain->count > 0 ? motion->record : record;
     write_world_state(point, after);
-    for (int i = 0; i < TDMF_MECHANICAL_COUNT; ++i) {
+    for (int i = TDMF_FOOT_X; i < TDMF_FOOT_X + TDMF_COORDINATE_COUNT; ++i) {
         motion->state[i] = after[i] == before[i] ? given[i] : motion->state[i];
     }
     return is_settled;
@@ -116,6 +114,14 @@ tdmf_page_run tdmf_run_at(tdmf_page_point *point, double *memory) {
                                .step_limit = TDMF_STEP_LIMIT,
                                .event_limit = TDMF_EVENT_LIMIT};
     return run;
+}
+
+/* Events change mechanical states, the work of the leg and the clock of its placing. */
+static bool has_jumped(const double *before, const double *after) {
+    const size_t size = TDMF_MECHANICAL_COUNT * sizeof *before;
+    return memcmp(before + TDMF_FOOT_X, after + TDMF_FOOT_X, size) != 0 ||
+           before[TDMF_LEG_WORK] != after[TDMF_LEG_WORK] ||
+           before[TDMF_HIP_PLACE_TIME] != after[TDMF_HIP_PLACE_TIME];
 }
 
 /* The right-hand side and the ground are the same: contact, phase, zone, clamp, thrust, line and fall. */
@@ -158,7 +164,7 @@ tdmf_resolution tdmf_resolve(tdmf_system system, tdmf_motion *motion) {
     const bool is_settled = tdmf_settle_motion(system, &instant, motion, &chain);
     tdmf_observe(system, motion);
     const tdmf_resolution resolution = {
-        .state_changed = memcmp(before.state, motion->state, sizeof before.state) != 0,
+        .state_changed = has_jumped(before.state, motion->state),
         .mode_changed = !same_mode(&before.mode, &motion->mode),
         .unresolved = !is_settled,
     };

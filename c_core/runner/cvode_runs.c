@@ -4,7 +4,6 @@
 #include "automaton.h"
 #include "event_log.h"
 #include "input_rates.h"
-#include "instant.h"
 #include "page_cvode.h"
 #include "page_solver.h"
 #include "request.h"
@@ -66,7 +65,7 @@ static bool take_events(cvode_run *r, bool is_start) {
     return is_settled;
 }
 
-static tdmf_outcome run_to(cvode_run *r, double duration) {
+static tdmf_outcome run_to(cvode_run *r, double until) {
     tdmf_page_point *point = &r->instant.point;
     const int64_t steps_before = r->options->steps, events_before = r->options->events;
     bool is_settled = take_events(r, true);
@@ -77,8 +76,8 @@ static tdmf_outcome run_to(cvode_run *r, double duration) {
         if (r->options->events - events_before >= r->options->event_limit) {
             return TDMF_TOO_MANY_EVENTS;
         }
-        const tdmf_run_outcome outcome = tdmf_cvode_to_event(&tdmf_runner_model, &run, r->instant.watch,
-                                                             duration, &r->options->evaluations);
+        const tdmf_run_outcome outcome =
+            tdmf_cvode_to_event(&tdmf_runner_model, &run, r->instant.watch, until, &r->options->evaluations);
         point->time = run.time;
         point->rest = run.time_rest;
         r->options->steps += run.steps;
@@ -102,7 +101,6 @@ tdmf_outcome tdmf_cvode_advance(tdmf_solver *options, tdmf_system system, const 
     if (motion->mode.fallen) {
         return TDMF_FELL;
     }
-    const tdmf_instant begin = tdmf_instant_of(motion), end = {until, 0.0};
     cvode_run r = {.options = options, .system = system};
     motion->mode.clamp_closed &= system.model->parameters.hip.swing_clamp;
     tdmf_observe(system, motion);
@@ -111,17 +109,18 @@ tdmf_outcome tdmf_cvode_advance(tdmf_solver *options, tdmf_system system, const 
     tdmf_begin_instant_of_point(&r.instant, &point);
     r.last_mode = point.mode;
     const int64_t steps_before = options->steps;
-    const tdmf_outcome outcome = run_to(&r, tdmf_time_between(begin, end));
+    const tdmf_outcome outcome = run_to(&r, until - motion->begun);
     *motion = motion_at(&r);
-    if (options->steps == steps_before && motion->record.event_count == r.begun.record.event_count) {
-        memcpy(motion->state, r.begun.state, TDMF_MECHANICAL_COUNT * sizeof *motion->state); /* no rounding */
+    if (options->steps == steps_before &&
+        motion->state[TDMF_EVENT_COUNT] == r.begun.state[TDMF_EVENT_COUNT]) {
+        memcpy(motion->state + TDMF_FOOT_X, r.begun.state + TDMF_FOOT_X,
+               TDMF_COORDINATE_COUNT * sizeof *motion->state); /* no rounding */
     }
     if (outcome == TDMF_ARRIVED) {
-        motion->record.progress.now = end;
         motion->time = until;
     }
-    const tdmf_inputs inputs =
-        tdmf_inputs_after(system.inputs, given, tdmf_time_between(begin, tdmf_instant_of(motion)));
+    const tdmf_inputs inputs = tdmf_inputs_after(
+        system.inputs, given, r.instant.point.time - point.time + (r.instant.point.rest - point.rest));
     tdmf_observe((tdmf_system){system.model, &inputs}, motion);
     return outcome;
 }

@@ -1,6 +1,5 @@
 /* The functions of solver.h: a motion runs on the runner's page. */
 #include "input_rates.h"
-#include "instant.h"
 #include "page_solver.h"
 #include "refusal.h"
 #include "request.h"
@@ -43,21 +42,13 @@ typedef struct {
 } directions;
 
 static void write_undefined(tdmf_variation *variation) {
-    for (int i = 0; i < TDMF_VARIED_COUNT; ++i) {
+    for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
         variation->state[i] = NAN;
     }
 }
 
-/* The time that is left, which may be longer than a double can count. */
-static double duration_of(tdmf_instant begin, double until) {
-    const tdmf_instant end = {until, 0.0};
-    return tdmf_time_between(begin, end);
-}
-
 static tdmf_outcome run_motion(tdmf_solver *solver, tdmf_system system, const tdmf_inputs *rates,
                                double until, int stop_event, tdmf_motion *motion, const directions *varied) {
-    const int strides = motion->record.stride.count;
-    const tdmf_instant begin = tdmf_instant_of(motion);
     const tdmf_motion before = *motion;
     if (motion->mode.fallen) {
         return TDMF_FELL;
@@ -70,10 +61,10 @@ static tdmf_outcome run_motion(tdmf_solver *solver, tdmf_system system, const td
     s.motion = &before;
     for (int i = 0; i < varied->count; ++i) {
         const tdmf_page_direction d =
-            tdmf_page_of_variation(&point, motion->state, &varied->seeds[i], &varied->variations[i]);
+            tdmf_page_of_variation(&point, &varied->seeds[i], &varied->variations[i]);
         tdmf_add_direction(&s, &d);
     }
-    const tdmf_outcome outcome = tdmf_run_page_solver(&s, duration_of(begin, until), stop_event);
+    const tdmf_outcome outcome = tdmf_run_page_solver(&s, until - motion->begun, stop_event);
     if (outcome == TDMF_TOO_STIFF && s.run.run.steps == 1) {
         tdmf_resolve(system, motion); /* not begun, but an input may have jumped */
         return outcome;
@@ -81,19 +72,18 @@ static tdmf_outcome run_motion(tdmf_solver *solver, tdmf_system system, const td
     tdmf_end_runner_run(&s.run, &s.point);
     tdmf_motion_of_page(system, &s.point, s.last_mode, motion);
     if (s.run.run.steps == 0 && s.run.run.events == 0) { /* removes the rounding of the two maps */
-        memcpy(motion->state, before.state, TDMF_MECHANICAL_COUNT * sizeof *motion->state);
+        memcpy(motion->state + TDMF_FOOT_X, before.state + TDMF_FOOT_X,
+               TDMF_COORDINATE_COUNT * sizeof *motion->state);
     }
     if (outcome == TDMF_ARRIVED && !s.has_stopped) {
-        const tdmf_instant end = {until, 0.0};
-        motion->record.progress.now = end;
         motion->time = until;
     }
-    tdmf_inputs inputs =
-        tdmf_inputs_after(system.inputs, rates, tdmf_time_between(begin, tdmf_instant_of(motion)));
+    const tdmf_inputs inputs =
+        tdmf_inputs_after(system.inputs, rates, s.point.time - point.time + (s.point.rest - point.rest));
     tdmf_observe((tdmf_system){system.model, &inputs}, motion);
     for (int i = 0; i < varied->count; ++i) {
         const tdmf_page_direction d = tdmf_direction_at_end(&s, i);
-        varied->variations[i] = tdmf_variation_of_page(&s.point, &d, motion->record.stride.count > strides);
+        varied->variations[i] = tdmf_variation_of_page(&s.point, &d);
         if (tdmf_is_kinked(&system.model->parameters, &varied->seeds[i])) {
             write_undefined(&varied->variations[i]);
         }
@@ -117,11 +107,11 @@ static tdmf_stride_outcome run_stride(tdmf_solver *solver, tdmf_system system, d
     if (!tdmf_is_sound_request(solver, system, &tdmf_zero_input_rates, until, motion)) {
         return result;
     }
-    const int strides = motion->record.stride.count;
+    const double strides = motion->state[TDMF_STRIDE_COUNT];
     do { /* the first apex may open a stride and close none */
         result.outcome =
             run_motion(solver, system, &tdmf_zero_input_rates, until, EVENT_apex, motion, varied);
-        result.closed = motion->record.stride.count > strides;
+        result.closed = motion->state[TDMF_STRIDE_COUNT] > strides;
     } while (result.outcome == TDMF_ARRIVED && !result.closed && motion->time < until);
     solver->strides += result.closed;
     return result;

@@ -7,8 +7,8 @@
 #include "kinematics.h"
 #include "motion_instant.h"
 #include "page_fields.h"
-#include "run_state.h"
 #include "tdmf_slip/automaton.h"
+#include "words.h"
 
 #include <math.h>
 #include <string.h>
@@ -46,7 +46,7 @@ static void write_outputs(const double *o, double base, double energy_of_base, t
 
 void tdmf_outputs_of(tdmf_system system, const tdmf_motion *motion, tdmf_outputs *outputs) {
     const tdmf_mode *mode = &motion->mode;
-    const tdmf_record *record = &motion->record;
+    const runner_states *x = (const void *)motion->state;
     tdmf_motion_instant instant;
     tdmf_begin_instant(&instant, system, mode, motion->state);
     tdmf_write_outputs(&instant);
@@ -60,12 +60,13 @@ void tdmf_outputs_of(tdmf_system system, const tdmf_motion *motion, tdmf_outputs
     outputs->ground.pending = tdmf_ground_is_pending(system.inputs, mode);
     outputs->hip.liftoff_angle = mode->liftoff_angle;
     outputs->hip.phase = outputs->hip.phase_index = (int)mode->phase;
-    outputs->energy.impact_loss = record->impact_loss;
-    outputs->event.count = record->event_count;
-    outputs->event.last_time = record->last_event_time;
+    outputs->energy.impact_loss = x->impact_loss;
+    outputs->event.count = tdmf_count_of(x->events);
+    outputs->event.last_time = motion->begun + x->last_event;
     outputs->status.fallen = mode->fallen;
-    outputs->stride = record->stride;
-    outputs->apex = record->apex;
+    outputs->stride = tdmf_page_stride_of(x);
+    outputs->apex = tdmf_page_apex_of(x, motion->begun);
+    tdmf_write_word(x->word_so_far, outputs->open_word);
 }
 
 /* ---- positions: the world's states are enough ------------------------------------------------------------
@@ -73,10 +74,7 @@ void tdmf_outputs_of(tdmf_system system, const tdmf_motion *motion, tdmf_outputs
 
 static void evaluate_world(const runner_parameters *p, const double state[TDMF_STATE_COUNT],
                            double outputs[OUTPUT_COUNT]) {
-    runner_states x;
-    memcpy(&x, tdmf_runner_model.state_defaults, sizeof x);
-    tdmf_read_page_state(state, &x);
-    tdmf_runner_model.modes[MODE_start_of_run].outputs((const double *)p, (const double *)&x, outputs);
+    tdmf_runner_model.modes[MODE_start_of_run].outputs((const double *)p, state, outputs);
 }
 
 tdmf_point tdmf_body(const double state[TDMF_STATE_COUNT]) {
@@ -109,10 +107,10 @@ tdmf_point tdmf_foot_over_ground(const tdmf_ground_line *ground, const double st
 void tdmf_derivatives(tdmf_system system, const tdmf_mode *mode, const double state[TDMF_STATE_COUNT],
                       double derivatives[TDMF_STATE_COUNT]) {
     tdmf_motion_instant instant;
-    runner_states rates;
+    double rates[TDMF_STATE_COUNT];
     tdmf_begin_instant(&instant, system, mode, state);
-    tdmf_page_world_rates(&instant.at, (double *)&rates);
-    tdmf_write_page_state(&rates, derivatives);
+    tdmf_page_world_rates(&instant.at, rates);
+    memcpy(derivatives, rates, sizeof rates);
     if (!tdmf_is_mode(mode)) {
         derivatives[TDMF_LEG_LENGTH_RATE] = derivatives[TDMF_LEG_ANGLE_RATE] = NAN;
     }
@@ -124,25 +122,25 @@ void tdmf_vary_outputs(tdmf_system system, const tdmf_mode *mode, const double s
                        const tdmf_seed *seed, const tdmf_variation *variation,
                        double derivatives[TDMF_STATE_COUNT], tdmf_outputs *outputs) {
     static const tdmf_seed unchanged = {.inputs = {.ground = {.friction = 0.0}}};
-    static const tdmf_variation unvaried = {.liftoff_angle = 0.0};
+    static const tdmf_variation unvaried = {{0.0}};
     tdmf_motion_instant instant;
     double o[OUTPUT_COUNT];
-    runner_states d_rates;
+    double d_rates[TDMF_STATE_COUNT];
     const tdmf_seed *given = seed != NULL ? seed : &unchanged;
     const tdmf_inputs rates = tdmf_rates_with_varied_push(&tdmf_zero_input_rates, given, 1);
     tdmf_begin_ramped_instant(&instant, system, &rates, mode, state);
     tdmf_page_direction d =
-        tdmf_page_of_variation(&instant.point, state, given, variation != NULL ? variation : &unvaried);
+        tdmf_page_of_variation(&instant.point, given, variation != NULL ? variation : &unvaried);
     d.x.height = d.p.ground_height; /* the line in force changes with the one that is set */
     d.x.slope = d.p.ground_slope;
     const double *dp = (const double *)&d.p, *dx = (const double *)&d.x;
     instant.at.mode->vary_outputs(instant.at.p, instant.at.x, dp, dx, o);
-    tdmf_vary_page_rates(&instant.at, dp, dx, (double *)&d_rates);
+    tdmf_vary_page_rates(&instant.at, dp, dx, d_rates);
     const double d_mass = given->parameters.body.mass + given->parameters.foot.mass;
     write_outputs(o, 0.0,
                   instant.point.base * (d_mass * system.model->parameters.gravity +
                                         system.model->total_mass * given->parameters.gravity),
                   outputs);
     outputs->hip.liftoff_angle = d.x.liftoff_angle;
-    tdmf_write_page_state(&d_rates, derivatives);
+    memcpy(derivatives, d_rates, sizeof d_rates);
 }

@@ -4,7 +4,6 @@
 #include "words.h"
 
 #include <limits.h>
-#include <string.h>
 
 runner_parameters tdmf_page_parameters(const tdmf_parameters *p, const tdmf_inputs *inputs) {
     const runner_parameters of = {
@@ -45,47 +44,20 @@ void tdmf_write_page_inputs(const tdmf_inputs *inputs, runner_states *x) {
     x->external_fy = inputs->body.external_fy;
 }
 
-void tdmf_read_page_state(const double state[TDMF_STATE_COUNT], runner_states *x) {
-    x->seen_x = state[TDMF_FOOT_X];
-    x->seen_y = state[TDMF_FOOT_Y];
-    x->length = state[TDMF_LEG_LENGTH];
-    x->angle = state[TDMF_LEG_ANGLE];
-    x->seen_vx = state[TDMF_FOOT_VX];
-    x->seen_vy = state[TDMF_FOOT_VY];
-    x->length_rate = state[TDMF_LEG_LENGTH_RATE];
-    x->angle_rate = state[TDMF_LEG_ANGLE_RATE];
-    x->work = state[TDMF_HIP_WORK];
-    x->placing = state[TDMF_HIP_PLACE_TIME];
-    x->leg_work = state[TDMF_LEG_WORK];
-    x->damper_loss = state[TDMF_ENERGY_DAMPER_LOSS];
-    x->friction_loss = state[TDMF_ENERGY_FRICTION_LOSS];
-    x->positive_work_so_far = state[TDMF_HIP_POSITIVE_WORK];
-    x->external_work = state[TDMF_ENERGY_EXTERNAL_WORK];
-}
-
-void tdmf_write_page_state(const runner_states *x, double state[TDMF_STATE_COUNT]) {
-    const double written[TDMF_STATE_COUNT] = {
-        [TDMF_FOOT_X] = x->seen_x,
-        [TDMF_FOOT_Y] = x->seen_y,
-        [TDMF_LEG_LENGTH] = x->length,
-        [TDMF_LEG_ANGLE] = x->angle,
-        [TDMF_FOOT_VX] = x->seen_vx,
-        [TDMF_FOOT_VY] = x->seen_vy,
-        [TDMF_LEG_LENGTH_RATE] = x->length_rate,
-        [TDMF_LEG_ANGLE_RATE] = x->angle_rate,
-        [TDMF_HIP_WORK] = x->work,
-        [TDMF_HIP_PLACE_TIME] = x->placing,
-        [TDMF_LEG_WORK] = x->leg_work,
-        [TDMF_ENERGY_DAMPER_LOSS] = x->damper_loss,
-        [TDMF_ENERGY_FRICTION_LOSS] = x->friction_loss,
-        [TDMF_HIP_POSITIVE_WORK] = x->positive_work_so_far,
-        [TDMF_ENERGY_EXTERNAL_WORK] = x->external_work,
-    };
-    memcpy(state, written, sizeof written);
-}
-
 int tdmf_count_of(double count) {
     return count < INT_MAX ? (int)count : INT_MAX;
+}
+
+tdmf_apex tdmf_page_apex_of(const runner_states *x, double begun) {
+    const tdmf_apex none = {.time = 0.0};
+    const tdmf_apex apex = {.time = begun + x->apex_time,
+                            .com_height = x->apex_com_height,
+                            .com_speed = x->apex_com_speed,
+                            .leg_length = x->apex_length,
+                            .leg_angle = x->apex_angle,
+                            .leg_length_rate = x->apex_length_rate,
+                            .leg_angle_rate = x->apex_angle_rate};
+    return x->is_open > 0.0 ? apex : none;
 }
 
 tdmf_stride tdmf_page_stride_of(const runner_states *x) {

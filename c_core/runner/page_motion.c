@@ -1,21 +1,18 @@
-/* The correspondence of a motion and the states of the runner's page. Times of the page are relative, so that
- * those before the motion are negative; they are written where they are not. */
+/* The inputs and the mode of a motion on the runner's page, and back. */
 #include "page_motion.h"
 
 #include "contact_mode.h"
 #include "ground_line.h"
 #include "input_rates.h"
-#include "instant.h"
 #include "margins.h"
 #include "page_fields.h"
 #include "patch.h"
 #include "rest_length.h"
-#include "words.h"
 
 #include <math.h>
+#include <string.h>
 
 static const double far_away = 1e12;  /* place of borders that are never reached */
-static const double long_ago = -1.0;  /* a time before the motion */
 static const double shortest = 1e-30; /* length in l0 that a leg of length zero is given */
 
 static void write_rates(const tdmf_inputs *rates, runner_states *x) {
@@ -26,99 +23,45 @@ static void write_rates(const tdmf_inputs *rates, runner_states *x) {
     x->external_fy_rate = rates->body.external_fy;
 }
 
-/* ---- the record ---------------------------------------------------------------------------------------- */
+/* ---- time and heights ---------------------------------------------------------------------------------- */
 
-static void read_open_stride(const tdmf_motion *motion, double cosine, runner_states *x) {
-    const tdmf_open_stride *open = &motion->record.progress.open;
-    const tdmf_instant now = tdmf_instant_of(motion);
-    x->is_open = open->began_at_apex;
-    x->apex_time = tdmf_time_between(now, open->start);
-    x->x_then = open->start_com_x;
-    x->y_then = open->start_com_y;
-    x->work_then = open->start_hip_work;
-    x->leg_work_then = open->start_leg_work;
-    x->positive_work_then = open->start_positive_work;
-    x->peak_force_so_far = open->peak_force;
-    x->vertical_so_far = open->peak_vertical_force;
-    x->touchdowns_so_far = open->touchdowns;
-    x->slip_so_far = open->slip_distance;
-    x->stance_so_far = open->stance_time;
-    x->slid_from = open->contact_start_x / cosine;
-    x->mode_began = tdmf_time_between(now, open->contact_start);
-    x->word_so_far = tdmf_code_of_word(open->word);
-    x->last_letter = tdmf_last_letter(open->word);
-    x->bar_is_due = open->flew_since_letter;
-}
-
-static void read_record(const tdmf_record *record, runner_states *x) {
-    const tdmf_stride *stride = &record->stride;
-    const tdmf_apex *apex = &record->apex;
-    x->events = record->event_count;
-    x->last_event = long_ago;
-    x->impact_loss = record->impact_loss;
-    x->count = stride->count;
-    x->apex_com_height = apex->com_height;
-    x->apex_com_speed = apex->com_speed;
-    x->apex_length = apex->leg_length;
-    x->apex_angle = apex->leg_angle;
-    x->apex_length_rate = apex->leg_length_rate;
-    x->apex_angle_rate = apex->leg_angle_rate;
-}
-
-/* A time of the page's clock, which is rounded in each step; the time of the run is not. */
-static tdmf_instant instant_of(const tdmf_page_point *point, tdmf_instant begin, double time) {
-    return time == point->x.time ? tdmf_instant_after(tdmf_instant_after(begin, point->time), point->rest)
-                                 : tdmf_instant_after(begin, time);
-}
-
-static void write_apex(tdmf_instant at, const runner_states *x, tdmf_record *record) {
-    const tdmf_apex apex = {.time = at.time,
-                            .com_height = x->apex_com_height,
-                            .com_speed = x->apex_com_speed,
-                            .leg_length = x->apex_length,
-                            .leg_angle = x->apex_angle,
-                            .leg_length_rate = x->apex_length_rate,
-                            .leg_angle_rate = x->apex_angle_rate};
-    record->apex = apex;
-    record->progress.open.start = at;
-}
-
-static void write_open_stride(const tdmf_page_point *point, tdmf_instant begin, bool flies, double cosine,
-                              const runner_states *x, tdmf_open_stride *open) {
-    open->began_at_apex = x->is_open > 0.0;
-    open->start_com_x = x->x_then;
-    open->start_com_y = x->y_then;
-    open->start_hip_work = x->work_then;
-    open->start_leg_work = x->leg_work_then;
-    open->start_positive_work = x->positive_work_then;
-    open->peak_force = x->peak_force_so_far;
-    open->peak_vertical_force = x->vertical_so_far;
-    open->touchdowns = tdmf_count_of(x->touchdowns_so_far);
-    open->slip_distance = x->slip_so_far;
-    open->stance_time = x->stance_so_far;
-    tdmf_write_word(x->word_so_far, open->word);
-    open->flew_since_letter = flies || x->bar_is_due > 0.0;
-    open->contact_start_x = x->slid_from * cosine;
-    if (x->mode_began >= 0.0) {
-        open->contact_start = instant_of(point, begin, x->mode_began);
+/* Sets the clock of the page, which the time of the motion may have left behind. A touchdown at this instant
+ * was one before the call. */
+static void read_clock(const tdmf_motion *motion, tdmf_page_point *point) {
+    runner_states *x = &point->x;
+    if (motion->begun + x->time == motion->time) {
+        point->rest = motion->clock_rest;
+    } else {
+        x->time = motion->time - motion->begun;
+    }
+    point->time = x->time;
+    if (x->touchdown_time >= x->time) {
+        x->touchdown_time = nextafter(x->time, -INFINITY);
     }
 }
 
-static void write_record(const tdmf_page_point *point, tdmf_instant begin, const tdmf_mode *mode,
-                         const runner_states *x, tdmf_record *record) {
-    record->event_count = tdmf_count_of(x->events);
-    if (x->last_event >= 0.0) {
-        record->last_event_time = instant_of(point, begin, x->last_event).time;
+/* Sets the clock of the page to the time of its run, which is rounded less, and times of this instant, too.
+ */
+static void write_clock(double time, runner_states *x) {
+    double *const times[] = {&x->last_event, &x->mode_began, &x->apex_time, &x->touchdown_time};
+    for (size_t i = 0; i < sizeof times / sizeof *times; ++i) {
+        *times[i] = *times[i] == x->time ? time : *times[i];
     }
-    record->impact_loss = x->impact_loss;
-    if (x->count > record->stride.count) {
-        record->stride = tdmf_page_stride_of(x);
-    }
-    if (x->is_open > 0.0 && x->apex_time >= 0.0) {
-        write_apex(instant_of(point, begin, x->apex_time), x, record);
-    }
-    write_open_stride(point, begin, mode->contact == TDMF_CONTACT_FLIGHT, mode->ground.cosine, x,
-                      &record->progress.open);
+    x->time = time;
+}
+
+static void raise_heights(double by, runner_states *x) {
+    x->height += by;
+    x->seen_y += by;
+    x->com_y += by;
+    x->y_then += by;
+}
+
+/* The page measures heights from the line in force. From a distant line the foot's would lose digits. */
+static double base_of(const tdmf_motion *motion) {
+    const double height = motion->mode.ground.height, foot = motion->state[TDMF_FOOT_Y];
+    const bool is_far = fabs(foot - height) > fabs(foot) + motion->state[TDMF_LEG_LENGTH];
+    return motion->mode.contact == TDMF_CONTACT_FLIGHT && is_far ? 0.0 : height;
 }
 
 /* ---- the mode ------------------------------------------------------------------------------------------ */
@@ -163,6 +106,7 @@ static void read_ground(const tdmf_model *model, const tdmf_motion *motion, runn
     const double begin = has_patch ? p->patch_begin : far_away, end = has_patch ? p->patch_end : far_away;
     const tdmf_zone zone = way != 0.0 ? mode->zone : tdmf_zone_towards(model, foot_x, 1.0);
     const tdmf_zone behind = way != 0.0 ? mode->zone : tdmf_zone_towards(model, foot_x, -1.0);
+    x->height = mode->ground.height;
     x->slope = mode->ground.slope;
     x->segment = zone;
     x->segment_begin = zone == TDMF_ZONE_BEFORE ? -far_away : zone == TDMF_ZONE_PATCH ? begin : end;
@@ -176,15 +120,16 @@ static const double swing_rest = 0.0, swing_retract = 1.0, swing_place = 2.0;
 
 static void read_mode(const tdmf_mode *mode, runner_states *x) {
     const bool rises_again = mode->phase == TDMF_PHASE_PLACE && mode->rises;
-    x->way = mode->contact == TDMF_CONTACT_SLIP_NEGATIVE ? -1.0 : 1.0;
+    x->way = tdmf_sign_of_slip(mode) != 0.0 ? tdmf_sign_of_slip(mode) : x->way;
     x->liftoff_angle = mode->liftoff_angle;
-    x->swing = mode->phase == TDMF_PHASE_PLACE ? swing_place
-               : mode->clamp_closed            ? swing_rest
-                                               : swing_retract;
+    if (!tdmf_is_loaded(mode)) {
+        x->swing = mode->phase == TDMF_PHASE_PLACE ? swing_place
+                   : mode->clamp_closed            ? swing_rest
+                                                   : swing_retract;
+    }
     x->driving = tdmf_is_loaded(mode) ? mode->phase == TDMF_PHASE_DRIVE : mode->mid_stance_pending;
     x->thrusting = mode->thrusts;
     x->rises_again = rises_again;
-    x->touchdown_time = long_ago;
 }
 
 static tdmf_contact_mode contact_of(int mode, double way) {
@@ -264,31 +209,21 @@ static double work_of_jump(tdmf_system system, const tdmf_motion *motion) {
                            : tdmf_work_of_change(system.model, motion->state[TDMF_LEG_LENGTH], before, after);
 }
 
-/* The page measures heights from the line in force. From a distant line the foot's would lose digits. */
-static double base_of(const tdmf_motion *motion) {
-    const double height = motion->mode.ground.height, foot = motion->state[TDMF_FOOT_Y];
-    const bool is_far = fabs(foot - height) > fabs(foot) + motion->state[TDMF_LEG_LENGTH];
-    return motion->mode.contact == TDMF_CONTACT_FLIGHT && is_far ? 0.0 : height;
-}
-
 tdmf_page_point tdmf_page_of_motion(tdmf_system system, const tdmf_inputs *rates, const tdmf_motion *motion) {
     tdmf_page_point point = {.p = tdmf_page_parameters(&system.model->parameters, system.inputs),
                              .base = base_of(motion)};
     runner_states *x = &point.x;
-    x->height = motion->mode.ground.height - point.base;
-    point.p.ground_height -= point.base;
+    memcpy(x, motion->state, sizeof *x);
+    read_clock(motion, &point);
     point.p.notes_compression = 1.0; /* a thrust may be set after the call */
     tdmf_write_page_inputs(system.inputs, x);
     write_rates(rates, x);
-    tdmf_read_page_state(motion->state, x);
     x->length = fmax(x->length, shortest * system.model->scales.length);
     x->leg_work += work_of_jump(system, motion);
     read_mode(&motion->mode, x);
     read_ground(system.model, motion, x, &point.p);
-    read_open_stride(motion, motion->mode.ground.cosine, x);
-    read_record(&motion->record, x);
-    x->seen_y -= point.base;
-    x->y_then -= point.base;
+    raise_heights(-point.base, x);
+    point.p.ground_height -= point.base;
     point.mode = page_mode_of(&motion->mode, x, &point.p);
     point.above = (uint64_t)(x->rises_again > 0.0) << EVENT_apex;
     const tdmf_mode_kind *mode = &tdmf_runner_model.modes[point.mode];
@@ -301,17 +236,15 @@ tdmf_page_point tdmf_page_of_motion(tdmf_system system, const tdmf_inputs *rates
 
 void tdmf_motion_of_page(tdmf_system system, const tdmf_page_point *point, int last_mode,
                          tdmf_motion *motion) {
-    const tdmf_instant begin = tdmf_instant_of(motion);
     const tdmf_mode_kind *kind = &tdmf_runner_model.modes[point->mode];
     runner_states x = point->x;
     if (kind->to_world) {
         kind->to_world((const double *)&point->p, (const double *)&point->x, (double *)&x);
     }
-    x.seen_y += point->base;
-    x.y_then += point->base;
-    tdmf_write_page_state(&x, motion->state);
     write_mode(system, point, last_mode, &motion->mode);
-    write_record(point, begin, &motion->mode, &x, &motion->record);
-    motion->record.progress.now = instant_of(point, begin, point->x.time);
-    motion->time = motion->record.progress.now.time;
+    raise_heights(point->base, &x);
+    write_clock(point->time, &x);
+    memcpy(motion->state, &x, sizeof x);
+    motion->clock_rest = point->rest;
+    motion->time = motion->begun + point->time;
 }

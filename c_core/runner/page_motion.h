@@ -1,8 +1,8 @@
 /* A motion as the runner's page sees it, and back.
  *
- * The page's time begins at 0, where the motion stands, so that a run at any time of an epoch is as exact as
- * one at 0, and its heights at the ground line. A motion stores the world's states; the coordinates of its
- * mode follow from them.
+ * The clock of the page begins at 0 where the run does, so that a run at any time of an epoch is as exact as
+ * one at 0, and its heights at the ground line. A motion may be changed in the world's states; the
+ * coordinates of its mode follow from them.
  */
 #ifndef TDMF_RUNNER_PAGE_MOTION_H
 #define TDMF_RUNNER_PAGE_MOTION_H
@@ -13,6 +13,9 @@
 #include "tdmf_slip/parameters.h"
 #include "tdmf_slip/variation.h"
 
+/* Number of coordinates, those of the world and of all modes, from TDMF_FOOT_X on. */
+enum { TDMF_COORDINATE_COUNT = TDMF_LEG_WINDING + 1 - TDMF_FOOT_X };
+
 /* A run of the whole page at an instant. */
 typedef struct {
     runner_parameters p;
@@ -20,7 +23,7 @@ typedef struct {
     int mode;          /* a MODE_ of the whole page */
     uint64_t above;    /* see tdmf_page_run */
     double base;       /* the page counts heights from here: from the ground line in force, if it is near */
-    double time, rest; /* since the motion that was read: the sum of both */
+    double time, rest; /* the clock: the sum of both */
 } tdmf_page_point;
 
 /* Reads a motion and its inputs, which are ramped. */

@@ -16,6 +16,8 @@ void tdmf_begin_runner_run(tdmf_runner_run *run, const tdmf_page_point *point, b
     run->run = tdmf_run_default(run->page->model, run->p, run->x, NULL);
     tdmf_take_parameters(run->page, &point->p, run->p);
     tdmf_take_states(run->page, &point->x, run->x);
+    run->run.time = point->time;
+    run->run.time_rest = point->rest;
     run->run.mode = tdmf_mode_on_part(run->page, point->mode);
     run->run.above = tdmf_events_on_part(run->page, point->above & apex);
 }

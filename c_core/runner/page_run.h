@@ -23,7 +23,7 @@ typedef struct {
 /* True if the plain page has all that acts on this runner. */
 bool tdmf_suits_plain_page(const tdmf_page_point *point);
 
-/* Begins a run at a point, at the time 0 of the page, with the defaults of tdmf_run_default. */
+/* Begins a run at a point, with the defaults of tdmf_run_default. */
 void tdmf_begin_runner_run(tdmf_runner_run *run, const tdmf_page_point *point, bool is_plain);
 
 /* Replaces the point at which the run began by the point that it has reached. */

@@ -72,7 +72,7 @@ void tdmf_begin_page_solver(tdmf_page_solver *s, tdmf_solver *solver, tdmf_syste
     s->point = *point;
     tdmf_begin_runner_run(&s->run, point, is_plain);
     s->last_mode = point->mode;
-    s->span_began = 0.0;
+    s->span_began = point->time;
     s->has_stopped = s->stays_on_guard = s->has_event = s->is_counted = false;
     tdmf_page_run *r = &s->run.run;
     r->tolerance = solver->relative_tolerance;
@@ -125,8 +125,8 @@ static tdmf_guard guard_of_row(const tdmf_page_solver *s, const tdmf_event_row *
     return event == EVENT_greatest_compression && !thrusts ? TDMF_GUARD_COUNT : tdmf_guard_of_event(event);
 }
 
-static bool is_at_start(const tdmf_page_run *r) {
-    return r->time == 0.0 && r->time_rest == 0.0;
+static bool is_at_start(const tdmf_page_solver *s) {
+    return s->run.run.time == s->point.time && s->run.run.time_rest == s->point.rest;
 }
 
 /* A chain in zero time is one event, by the name of its first, from the mode before to the mode after it.
@@ -145,13 +145,13 @@ static void note_event(tdmf_page_solver *s, const tdmf_runner_run *before, tdmf_
         .time = after.time, .guard = (int)guard, .before = at.mode, .after = after.mode};
     s->event = event;
     memcpy(s->event.state, at.state, sizeof event.state);
-    s->has_event = guard != TDMF_GUARD_COUNT && has_guard && !is_at_start(&s->run.run);
+    s->has_event = guard != TDMF_GUARD_COUNT && has_guard && !is_at_start(s);
 }
 
 /* Counts a chain in zero time as one event, unless the call begins with it or all of it is the page's own. */
 static void count_event(tdmf_page_solver *s, tdmf_guard guard) {
     s->is_counted &= s->run.run.chain > 1;
-    if (!s->is_counted && guard != TDMF_GUARD_COUNT && !is_at_start(&s->run.run)) {
+    if (!s->is_counted && guard != TDMF_GUARD_COUNT && !is_at_start(s)) {
         s->is_counted = true;
         ++s->solver->events;
         --s->events_left;
@@ -221,9 +221,9 @@ static double speed_of_leg(const tdmf_page_point *point) {
 
 /* The series of flight and stick tells at once whether they are too stiff; slip and graze may be over before
  * it matters. A guard may end the first step sooner. */
-static bool begins_too_stiff(const tdmf_page_solver *s, double reach, double duration) {
+static bool begins_too_stiff(const tdmf_page_solver *s, double reach, double until) {
     const bool lasts = s->point.mode == MODE_stick || s->point.mode == MODE_flight_calm;
-    const double span = fmin(s->system.model->scales.time, duration);
+    const double span = fmin(s->system.model->scales.time, until - s->point.time);
     const bool is_short = lasts && s->run.run.events == 0 && reach * TDMF_STIFFNESS_LIMIT < span;
     return is_short && reach * speed_of_leg(&s->point) < slow_change;
 }
@@ -269,7 +269,7 @@ static tdmf_run_outcome run_with(tdmf_page_solver *s, working_memory *w, double 
     return outcome;
 }
 
-tdmf_outcome tdmf_run_page_solver(tdmf_page_solver *s, double duration, int stop_event) {
+tdmf_outcome tdmf_run_page_solver(tdmf_page_solver *s, double until, int stop_event) {
     tdmf_page_run *r = &s->run.run;
     working_memory w;
     const long steps = r->steps;
@@ -279,7 +279,7 @@ tdmf_outcome tdmf_run_page_solver(tdmf_page_solver *s, double duration, int stop
     r->event_limit = LONG_MAX - r->events;
     s->events_left = s->solver->event_limit;
     w.driver = tdmf_begin_in_memory(&w.state, &w.at, s->run.page->model, r);
-    const tdmf_run_outcome outcome = run_with(s, &w, duration, &limit);
+    const tdmf_run_outcome outcome = run_with(s, &w, until, &limit);
     const bool stands = outcome == TDMF_RUN_STOPPED;
     s->has_stopped = stands && r->stop_event >= 0 && (r->taken >> r->stop_event & 1) != 0;
     if (stands && !s->stays_on_guard) {
@@ -290,6 +290,6 @@ tdmf_outcome tdmf_run_page_solver(tdmf_page_solver *s, double duration, int stop
     if (!stands || s->has_stopped) {
         return outcome_of(outcome);
     }
-    const bool is_over = !(duration - r->time - r->time_rest > 0.0);
+    const bool is_over = !(until - r->time - r->time_rest > 0.0);
     return is_over ? TDMF_ARRIVED : limit != TDMF_ARRIVED ? limit : TDMF_TOO_MANY_EVENTS;
 }

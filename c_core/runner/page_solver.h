@@ -40,9 +40,9 @@ void tdmf_begin_page_solver(tdmf_page_solver *s, tdmf_solver *solver, tdmf_syste
 /* Adds a direction. */
 void tdmf_add_direction(tdmf_page_solver *s, const tdmf_page_direction *direction);
 
-/* Runs for a time, or to an event of the whole page; -1: to none. Events are logged by what they make of
- * `motion`. */
-tdmf_outcome tdmf_run_page_solver(tdmf_page_solver *s, double duration, int stop_event);
+/* Runs until a time of the page, or to an event of the whole page; -1: to none. Events are logged by what
+ * they make of `motion`. */
+tdmf_outcome tdmf_run_page_solver(tdmf_page_solver *s, double until, int stop_event);
 
 /* The direction number i at the end of the run. */
 tdmf_page_direction tdmf_direction_at_end(const tdmf_page_solver *s, int i);

@@ -1,4 +1,4 @@
-/* The correspondence of variations. Only states of the world that a variation has are read and written. */
+/* Variations of inputs and of states in the coordinates of their mode, and back. */
 #include "page_variation.h"
 
 #include "input_rates.h"
@@ -51,66 +51,31 @@ tdmf_page_direction tdmf_direction_of_seed(const tdmf_seed *seed) {
     return d;
 }
 
-tdmf_page_direction tdmf_page_of_variation(const tdmf_page_point *point, const double state[TDMF_STATE_COUNT],
-                                           const tdmf_seed *seed, const tdmf_variation *variation) {
+tdmf_page_direction tdmf_page_of_variation(const tdmf_page_point *point, const tdmf_seed *seed,
+                                           const tdmf_variation *variation) {
     const tdmf_mode_kind *mode = &tdmf_runner_model.modes[point->mode];
     tdmf_page_direction d = tdmf_direction_of_seed(seed);
-    double varied[TDMF_STATE_COUNT] = {0.0};
-    memcpy(varied, variation->state, TDMF_VARIED_COUNT * sizeof *varied);
-    tdmf_read_page_state(varied, &d.x);
-    d.x.liftoff_angle = variation->liftoff_angle;
+    memcpy(&d.x, variation->state, sizeof d.x);
+    tdmf_write_page_inputs(&seed->inputs, &d.x);
     if (point->x.height == point->p.ground_height && point->x.slope == point->p.ground_slope) {
         d.x.height = d.p.ground_height;
         d.x.slope = d.p.ground_slope;
     }
-    d.x.stance_so_far = variation->stance.stance_time;
-    d.x.slip_so_far = variation->stance.slip_distance;
-    d.x.peak_force_so_far = variation->stance.peak_force;
-    d.x.vertical_so_far = variation->stance.peak_vertical_force;
     if (mode->vary_from_world) {
         const runner_states d_seen = d.x;
-        runner_states seen = point->x;
-        tdmf_read_page_state(state, &seen);
-        seen.seen_y -= point->base;
-        mode->vary_from_world((const double *)&point->p, (const double *)&seen, (const double *)&d.p,
+        mode->vary_from_world((const double *)&point->p, (const double *)&point->x, (const double *)&d.p,
                               (const double *)&d_seen, (double *)&d.x);
-        d.x.slid_from = d.x.foot_x;
     }
     return d;
 }
 
-/* Stance of the open stride, to which the mode of the point adds. */
-static tdmf_stance_variation stance_so_far(const tdmf_page_point *point, const runner_states *d) {
-    tdmf_stance_variation stance = {.stance_time = d->stance_so_far,
-                                    .slip_distance = d->slip_so_far,
-                                    .peak_force = d->peak_force_so_far,
-                                    .peak_vertical_force = d->vertical_so_far};
-    const bool slips = point->mode == MODE_slip_constant || point->mode == MODE_slip_falling;
-    if (slips || point->mode == MODE_stick) {
-        stance.stance_time -= d->mode_began;
-    }
-    if (slips) {
-        stance.slip_distance += point->x.way * (d->foot_x - d->slid_from);
-    }
-    return stance;
-}
-
-tdmf_variation tdmf_variation_of_page(const tdmf_page_point *point, const tdmf_page_direction *d,
-                                      bool closed) {
+tdmf_variation tdmf_variation_of_page(const tdmf_page_point *point, const tdmf_page_direction *d) {
     const tdmf_mode_kind *mode = &tdmf_runner_model.modes[point->mode];
-    const tdmf_stance_variation of_stride = {.stance_time = d->x.stance_time,
-                                             .slip_distance = d->x.slip_distance,
-                                             .peak_force = d->x.peak_force,
-                                             .peak_vertical_force = d->x.peak_vertical_force};
-    tdmf_variation variation = {.liftoff_angle = d->x.liftoff_angle};
-    double varied[TDMF_STATE_COUNT];
-    runner_states d_seen = d->x;
+    tdmf_variation variation;
+    memcpy(variation.state, &d->x, sizeof d->x);
     if (mode->vary_to_world) {
         mode->vary_to_world((const double *)&point->p, (const double *)&point->x, (const double *)&d->p,
-                            (const double *)&d->x, (double *)&d_seen);
+                            (const double *)&d->x, variation.state);
     }
-    tdmf_write_page_state(&d_seen, varied);
-    memcpy(variation.state, varied, TDMF_VARIED_COUNT * sizeof *varied);
-    variation.stance = closed ? of_stride : stance_so_far(point, &d->x);
     return variation;
 }

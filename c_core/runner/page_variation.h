@@ -23,13 +23,11 @@ bool tdmf_is_kinked(const tdmf_parameters *parameters, const tdmf_seed *seed);
 /* The change of parameters and inputs, for states that do not change. */
 tdmf_page_direction tdmf_direction_of_seed(const tdmf_seed *seed);
 
-/* The change of the point of a motion, whose state is `state`. */
-tdmf_page_direction tdmf_page_of_variation(const tdmf_page_point *point, const double state[TDMF_STATE_COUNT],
-                                           const tdmf_seed *seed, const tdmf_variation *variation);
+/* The change of the point that was read of a motion. */
+tdmf_page_direction tdmf_page_of_variation(const tdmf_page_point *point, const tdmf_seed *seed,
+                                           const tdmf_variation *variation);
 
-/* The change of a motion at the time of its point. `closed`: a stride has closed there, whose stance is
- * varied. */
-tdmf_variation tdmf_variation_of_page(const tdmf_page_point *point, const tdmf_page_direction *d,
-                                      bool closed);
+/* The change of a motion at the time of its point. */
+tdmf_variation tdmf_variation_of_page(const tdmf_page_point *point, const tdmf_page_direction *d);
 
 #endif

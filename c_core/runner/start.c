@@ -2,7 +2,6 @@
 #include "automaton.h"
 #include "ground_line.h"
 #include "input_rates.h"
-#include "instant.h"
 #include "kinematics.h"
 #include "margins.h"
 #include "page_fields.h"
@@ -20,8 +19,9 @@
 
 static tdmf_refusal check_ranges(const double state[TDMF_STATE_COUNT]) {
     for (int i = 0; i < TDMF_MECHANICAL_COUNT; ++i) {
-        if (!tdmf_in_range(&tdmf_state_ranges[i], state[i])) {
-            return tdmf_out_of_range(&tdmf_state_ranges[i], state[i]);
+        const double value = state[TDMF_FOOT_X + i];
+        if (!tdmf_in_range(&tdmf_state_ranges[i], value)) {
+            return tdmf_out_of_range(&tdmf_state_ranges[i], value);
         }
     }
     const tdmf_refusal accepted = {0};
@@ -39,7 +39,7 @@ static tdmf_refusal too_low(const char *variable, double y, double ground_height
                                   .unit = "m",
                                   .value = y,
                                   .minimum = ground_height,
-                                  .maximum = tdmf_state_ranges[TDMF_FOOT_Y].maximum,
+                                  .maximum = tdmf_state_ranges[TDMF_FOOT_Y - TDMF_FOOT_X].maximum,
                                   .bound_by = rule};
     return refusal;
 }
@@ -55,7 +55,7 @@ static tdmf_refusal check_posture(const tdmf_model *model, const tdmf_ground_lin
                                       .unit = "m",
                                       .value = length,
                                       .minimum = model->parameters.leg.min_length,
-                                      .maximum = tdmf_state_ranges[TDMF_LEG_LENGTH].maximum,
+                                      .maximum = tdmf_state_ranges[TDMF_LEG_LENGTH - TDMF_FOOT_X].maximum,
                                       .bound_by = "leg.min_length"};
         return refusal;
     }
@@ -84,17 +84,7 @@ static tdmf_refusal check_start(tdmf_system system, const tdmf_motion *motion) {
 
 /* ---- the start ----------------------------------------------------------------------------------------- */
 
-/* The record of a run that begins: its first stride is open, and not counted. */
-static void begin_record(tdmf_motion *motion) {
-    tdmf_record *record = &motion->record;
-    memset(record, 0, sizeof *record);
-    record->last_event_time = motion->time;
-    record->progress.now.time = motion->time;
-    record->progress.open.start = record->progress.open.contact_start = record->progress.now;
-    record->progress.open.contact_start_x = motion->state[TDMF_FOOT_X];
-}
-
-/* The page at the start of a run from `motion`, whose mode and record begin anew. */
+/* The page at the start of a run from `motion`, whose mode and memory begin anew. */
 static tdmf_page_point point_at_start(tdmf_system system, tdmf_motion *motion) {
     tdmf_mode *mode = &motion->mode;
     memset(mode, 0, sizeof *mode);
@@ -103,10 +93,13 @@ static tdmf_page_point point_at_start(tdmf_system system, tdmf_motion *motion) {
     mode->liftoff_angle = motion->state[TDMF_LEG_ANGLE];
     mode->ground = tdmf_ground_line_set(system.inputs);
     mode->rest_length = tdmf_rest_length(system.model, system.inputs, mode);
-    for (int i = TDMF_MECHANICAL_COUNT; i < TDMF_STATE_COUNT; ++i) {
-        motion->state[i] = 0.0;
-    }
-    begin_record(motion);
+    double given[TDMF_MECHANICAL_COUNT];
+    memcpy(given, motion->state + TDMF_FOOT_X, sizeof given);
+    memcpy(motion->state, tdmf_runner_model.state_defaults, sizeof motion->state);
+    memcpy(motion->state + TDMF_FOOT_X, given, sizeof given);
+    motion->state[TDMF_EVENT_LAST_TIME] = -DBL_MIN; /* an event at the start counts */
+    motion->begun = motion->time;
+    motion->clock_rest = 0.0;
     tdmf_page_point point = tdmf_page_of_motion(system, &tdmf_zero_input_rates, motion);
     point.mode = MODE_start_of_run;
     return point;
@@ -122,7 +115,7 @@ tdmf_refusal tdmf_start(tdmf_system system, tdmf_motion *motion) {
     const bool is_impact = foot.y <= ground_tolerance(system.model, &ground, motion->state[TDMF_FOOT_X]) &&
                            foot.vy < -TDMF_AT_GROUND * system.model->scales.speed;
     double memory[TDMF_SETTLING_MEMORY], given[TDMF_MECHANICAL_COUNT];
-    memcpy(given, motion->state, sizeof given);
+    memcpy(given, motion->state + TDMF_FOOT_X, sizeof given);
     tdmf_page_point point = point_at_start(system, motion);
     tdmf_page_run run = tdmf_run_at(&point, memory);
     run.order = LEAST_ORDER;
@@ -131,12 +124,13 @@ tdmf_refusal tdmf_start(tdmf_system system, tdmf_motion *motion) {
     point.mode = run.mode;
     point.above = run.above;
     tdmf_motion_of_page(system, &point, run.mode, motion);
-    if (motion->mode.contact == TDMF_CONTACT_FLIGHT && motion->record.progress.open.touchdowns == 0) {
-        memcpy(motion->state, given, sizeof given); /* removes the rounding of the two maps */
+    if (motion->mode.contact == TDMF_CONTACT_FLIGHT && motion->state[TDMF_STRIDE_TOUCHDOWNS_SO_FAR] == 0.0) {
+        memcpy(motion->state + TDMF_FOOT_X, given, sizeof given); /* removes the rounding of the two maps */
     }
     /* An impact counts as an event and as a touchdown; that a foot at rest is on the ground is none. */
-    motion->record.event_count = is_impact;
-    motion->record.progress.open.touchdowns *= is_impact;
+    motion->state[TDMF_EVENT_COUNT] = is_impact;
+    motion->state[TDMF_STRIDE_TOUCHDOWNS_SO_FAR] *= is_impact;
+    motion->state[TDMF_HIP_TOUCHDOWN_TIME] = -DBL_MIN;
     tdmf_observe(system, motion);
     return refusal;
 }
@@ -144,13 +138,12 @@ tdmf_refusal tdmf_start(tdmf_system system, tdmf_motion *motion) {
 void tdmf_vary_start(tdmf_system system, const double given[TDMF_STATE_COUNT], const tdmf_seed *seed,
                      const double state_seed[TDMF_STATE_COUNT], tdmf_variation *variation) {
     static const tdmf_seed unchanged = {.inputs = {.ground = {.friction = 0.0}}};
-    double memory[TDMF_SETTLING_MEMORY], varied[TDMF_STATE_COUNT] = {0.0}, shift = 0.0;
+    double memory[TDMF_SETTLING_MEMORY], shift = 0.0;
     tdmf_motion motion = {.time = 0.0};
     memcpy(motion.state, given, sizeof motion.state);
-    memcpy(varied, state_seed, TDMF_MECHANICAL_COUNT * sizeof *varied);
     tdmf_page_point point = point_at_start(system, &motion);
     tdmf_page_direction d = tdmf_direction_of_seed(seed != NULL ? seed : &unchanged);
-    tdmf_read_page_state(varied, &d.x);
+    memcpy((double *)&d.x + TDMF_FOOT_X, state_seed + TDMF_FOOT_X, TDMF_MECHANICAL_COUNT * sizeof(double));
     d.x.height = d.p.ground_height;
     d.x.slope = d.p.ground_slope;
     tdmf_page_run run = tdmf_run_at(&point, memory);
@@ -162,5 +155,5 @@ void tdmf_vary_start(tdmf_system system, const double given[TDMF_STATE_COUNT], c
     run.shift = &shift;
     tdmf_page_run_to(&tdmf_runner_model, &run, 0.0);
     point.mode = run.mode;
-    *variation = tdmf_variation_of_page(&point, &d, false);
+    *variation = tdmf_variation_of_page(&point, &d);
 }

@@ -69,8 +69,7 @@ static bool are_sound_inputs(tdmf_refusal *why, const tdmf_inputs *inputs, const
     return is_accepted;
 }
 
-/* A mode that a run may be in: a loaded foot is driven or coasts, any other is retracted or placed. The word
- * ends within its array. */
+/* A mode that a run may be in: a loaded foot is driven or coasts, any other is retracted or placed. */
 static bool is_sound_motion(tdmf_refusal *why, const tdmf_motion *motion) {
     const tdmf_mode *mode = &motion->mode;
     const bool stance = mode->phase == TDMF_PHASE_DRIVE || mode->phase == TDMF_PHASE_COAST;
@@ -87,8 +86,7 @@ static bool is_sound_motion(tdmf_refusal *why, const tdmf_motion *motion) {
             return false;
         }
     }
-    const bool ends = memchr(motion->record.progress.open.word, '\0', TDMF_WORD_CAPACITY) != NULL;
-    return tdmf_accepts_if(why, ends, TDMF_EXCLUDED, "motion.record.progress", 0, "its word has no end");
+    return true;
 }
 
 bool tdmf_is_sound_request(tdmf_solver *solver, tdmf_system system, const tdmf_inputs *rates, double until,

@@ -13,8 +13,6 @@ from pathlib import Path
 from pycparser import c_ast, c_generator, c_parser
 
 FOLDER = Path(__file__).parents[2] / "c_core/include/tdmf_slip"
-INTERNAL = "internal/"
-"""Folder of headers that are not part of the interface."""
 TYPES = "".join(
     f"typedef int {name};" for name in ("bool", "size_t", "int32_t", "int64_t", "uint32_t", "uint64_t")
 )
@@ -149,8 +147,6 @@ def headers(folder: Path = FOLDER) -> dict[str, Header]:
     tree = c_parser.CParser().parse(TYPES + whole, "types")
     found = {}
     for name, text in texts.items():
-        if name.startswith(INTERNAL):
-            continue
         comments = _Comments(text)
         first = COMMENT.search(text)
         header = found[name] = Header(name)

@@ -26,9 +26,9 @@ from c_core.pages.tables import (  # noqa: E402
     dimensions,
     group_of,
     inputs_of,
+    mechanical_of,
     parameters_of,
     short_names,
-    states_of,
 )
 from c_core.pages.unit import runner_unit  # noqa: E402
 
@@ -43,7 +43,7 @@ def values_of(unit):
 
 def starts_of(unit):
     """The mechanical states, at which a run begins."""
-    return [row for row in states_of(unit) if row.is_set]
+    return mechanical_of(unit)
 
 
 def outputs_of(unit):

@@ -3,6 +3,20 @@
 #include "motion_instant.h"
 #include "page_fields.h"
 
+#include <string.h>
+
+tdmf_stride last_stride_of(const tdmf_motion *motion) {
+    return tdmf_page_stride_of((const void *)motion->state);
+}
+
+tdmf_apex last_apex_of(const tdmf_motion *motion) {
+    return tdmf_page_apex_of((const void *)motion->state, motion->begun);
+}
+
+double last_event_of(const tdmf_motion *motion) {
+    return motion->begun + motion->state[TDMF_EVENT_LAST_TIME];
+}
+
 tdmf_outputs outputs_of(tdmf_system system, const tdmf_motion *motion) {
     tdmf_outputs outputs;
     tdmf_outputs_of(system, motion, &outputs);
@@ -27,6 +41,6 @@ double impact_on(tdmf_system system, const tdmf_ground_line *ground, double stat
         }
     }
     after.seen_y += instant.point.base;
-    tdmf_write_page_state(&after, state);
+    memcpy(state, &after, sizeof after);
     return after.impact_loss;
 }

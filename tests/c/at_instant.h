@@ -7,6 +7,11 @@
 #include "system_of.h"
 #include "tdmf_slip/tdmf_slip.h"
 
+/* The last stride and the last apex of a motion, and the time of its last event. */
+tdmf_stride last_stride_of(const tdmf_motion *motion);
+tdmf_apex last_apex_of(const tdmf_motion *motion);
+double last_event_of(const tdmf_motion *motion);
+
 /* Outputs of a motion, or of a structure that has a model, inputs and a motion, by a pointer to it. */
 tdmf_outputs outputs_of(tdmf_system system, const tdmf_motion *motion);
 #define OUTPUTS_OF(structure) outputs_of(SYSTEM_OF(structure), &(structure)->motion)

@@ -134,7 +134,7 @@ void stride_by_hand(const crowd *crowd, int number, set_at_apex *set, void *cont
         }
         by_hand->motions[stride] = motion;
         by_hand->closed = stride + 1;
-        read_apex(&motion.record, apex);
+        read_apex(&motion, apex);
         if (motion.mode.ground.height != inputs.ground.height ||
             motion.mode.ground.slope != inputs.ground.slope) {
             return;
@@ -151,9 +151,9 @@ void assert_strides_by_hand(const crowd *crowd, int number, const strides_by_han
         if (stride < by_hand->closed) {
             const tdmf_motion *motion = &by_hand->motions[stride];
             double apex[TDMF_SECTION_COUNT];
-            read_apex(&motion->record, apex);
+            read_apex(motion, apex);
             assert_all_close(noted->apex, apex, TDMF_SECTION_COUNT, 1e-7, 0.0);
-            assert_same_stride(&noted->stride, &motion->record.stride, 1e-7);
+            assert_same_stride(noted->stride, last_stride_of(motion), 1e-7);
             assert_close(noted->liftoff_angle, motion->mode.liftoff_angle, 1e-7);
         }
     }

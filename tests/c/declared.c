@@ -172,8 +172,10 @@ declared_runner declared_random(random_source *source, double decades) {
     runner.inputs = declared_inputs(source, &runner.parameters, decades);
     for (int i = 0; i < TDMF_MECHANICAL_COUNT; ++i) {
         const tdmf_range *range = &tdmf_state_ranges[i];
-        const double near = i == TDMF_LEG_ANGLE || i == TDMF_LEG_LENGTH ? fmin(decades, 0.3) : decades;
-        runner.state[i] =
+        const double near = TDMF_FOOT_X + i == TDMF_LEG_ANGLE || TDMF_FOOT_X + i == TDMF_LEG_LENGTH
+                                ? fmin(decades, 0.3)
+                                : decades;
+        runner.state[TDMF_FOOT_X + i] =
             value_of(source, range, unit_of(&runner.parameters, range), isinf(decades) ? decades : near);
     }
     return runner;

@@ -2,6 +2,7 @@
 
 #include "compare.h"
 #include "guid.h"
+#include "tdmf_slip/state.h"
 #include "variables.h"
 
 #include <math.h>
@@ -15,6 +16,13 @@ void *new_of_kind(const fmi_interface *fmi, fmi_kind kind) {
     free_after_test(instance, fmi->free);
     assert_int_equal(fmi->set_logging(instance, false, 1, events_category), FMI_OK);
     return instance;
+}
+
+void write_default_states(double states[CONTINUOUS_STATES]) {
+    double state[TDMF_STATE_COUNT];
+    tdmf_default_state(state);
+    memset(states, 0, CONTINUOUS_STATES * sizeof *states);
+    memcpy(states, state + TDMF_FOOT_X, TDMF_MECHANICAL_COUNT * sizeof *states);
 }
 
 /* ---- variables ---------------------------------------------------------------------------------------- */
@@ -142,7 +150,7 @@ void set_apex(const fmi_interface *fmi, void *instance, const tdmf_model *model,
     tdmf_section_state((tdmf_system){model, &inputs}, apex, state);
     for (uint32_t i = 0; i < TDMF_MECHANICAL_COUNT; ++i) {
         const uint32_t reference = first + i;
-        assert_int_equal(fmi->set_reals(instance, &reference, 1, &state[i]), FMI_OK);
+        assert_int_equal(fmi->set_reals(instance, &reference, 1, &state[TDMF_FOOT_X + i]), FMI_OK);
     }
     assert_int_equal(fmi->set_truth(instance, clamp, model->parameters.hip.swing_clamp), FMI_OK);
     assert_int_equal(set_value(fmi, instance, "ground.friction", friction), FMI_OK);

@@ -80,6 +80,25 @@ typedef struct fmi_interface {
 
 extern const fmi_interface fmi2, fmi3;
 
+/* Numbers of the units' continuous states. */
+enum {
+    STATE_FOOT_X,
+    STATE_FOOT_Y,
+    STATE_LEG_LENGTH,
+    STATE_LEG_ANGLE,
+    STATE_FOOT_VX,
+    STATE_FOOT_VY,
+    STATE_LEG_LENGTH_RATE,
+    STATE_LEG_ANGLE_RATE,
+    STATE_HIP_WORK,
+    STATE_HIP_PLACE_TIME,
+    STATE_LEG_WORK,
+    CONTINUOUS_STATES = 15
+};
+
+/* The states at which the default runner begins. */
+void write_default_states(double states[CONTINUOUS_STATES]);
+
 /* A row of a version's table that is one of its calls. */
 #define ANSWERS(name, given, ...)                                                                            \
     static fmi_status name given {                                                                           \

@@ -79,10 +79,10 @@ static void advance(void *self) {
 
 static void close_a_stride(void *self) {
     subject *on = self;
-    const int count = on->motion.record.stride.count;
+    const double count = on->motion.state[TDMF_STRIDE_COUNT];
     const tdmf_stride_outcome outcome =
         tdmf_native_stride(&on->solver, SYSTEM_OF(on), on->motion.time + random_time(on), &on->motion);
-    if (outcome.closed != (on->motion.record.stride.count == count + 1)) {
+    if (outcome.closed != (on->motion.state[TDMF_STRIDE_COUNT] == count + 1)) {
         die("a stride that is none");
     }
     expect_numbers_of_motion(on);

@@ -216,16 +216,17 @@ static void evaluate(void *self) {
     if (on->careful && on->kind != EXCHANGE) {
         return;
     }
-    double states[TDMF_STATE_COUNT], values[TDMF_GUARD_COUNT + TDMF_STATE_COUNT];
-    tdmf_default_state(states);
-    states[random_index(on->source, TDMF_STATE_COUNT)] = random_value(on->source);
-    fmi->set_states(on->instance, states, TDMF_STATE_COUNT);
-    expect_numbers((int)fmi->get_states(on->instance, values, TDMF_STATE_COUNT), values, TDMF_STATE_COUNT);
-    expect_numbers((int)fmi->get_derivatives(on->instance, values, TDMF_STATE_COUNT), values,
-                   TDMF_STATE_COUNT);
+    double states[CONTINUOUS_STATES], values[TDMF_GUARD_COUNT + CONTINUOUS_STATES];
+    write_default_states(states);
+    states[random_index(on->source, CONTINUOUS_STATES)] = random_value(on->source);
+    fmi->set_states(on->instance, states, CONTINUOUS_STATES);
+    expect_numbers((int)fmi->get_states(on->instance, values, CONTINUOUS_STATES), values, CONTINUOUS_STATES);
+    expect_numbers((int)fmi->get_derivatives(on->instance, values, CONTINUOUS_STATES), values,
+                   CONTINUOUS_STATES);
     expect_numbers((int)fmi->get_indicators(on->instance, values, TDMF_GUARD_COUNT), values,
                    TDMF_GUARD_COUNT);
-    expect_numbers((int)fmi->get_nominals(on->instance, values, TDMF_STATE_COUNT), values, TDMF_STATE_COUNT);
+    expect_numbers((int)fmi->get_nominals(on->instance, values, CONTINUOUS_STATES), values,
+                   CONTINUOUS_STATES);
 }
 
 static void differentiate(void *self) {

@@ -116,8 +116,8 @@ bool runner_advance(runner *runner, double step) {
 }
 
 void runner_stride(runner *runner, double step) {
-    const int count = runner->motion.record.stride.count;
-    while (runner->motion.record.stride.count == count) {
+    const double count = runner->motion.state[TDMF_STRIDE_COUNT];
+    while (runner->motion.state[TDMF_STRIDE_COUNT] == count) {
         assert_true(runner_advance(runner, step));
     }
 }

@@ -14,7 +14,7 @@ typedef struct {
 } runner;
 
 /* A step of Runge and Kutta's classical method, from time t on, for `count` unknowns. */
-enum { UNKNOWNS_LIMIT = 32 };
+enum { UNKNOWNS_LIMIT = TDMF_STATE_COUNT };
 typedef void (*rates_at)(const void *context, double t, const double x[], double rates[]);
 void runge_kutta(int count, rates_at f, const void *context, double t, double step, const double x[],
                  double after[]);

@@ -39,34 +39,34 @@ runner runner_at_reference_apex(const reference_gait *gait) {
     state[TDMF_LEG_LENGTH_RATE] = along;
     state[TDMF_LEG_ANGLE_RATE] = gait->apex.leg_angle_rate;
     runner_start(&runner);
-    assert_true(runner.motion.record.progress.open.began_at_apex);
+    assert_true(runner.motion.state[TDMF_STRIDE_IS_OPEN] > 0.0);
     return runner;
 }
 
-void assert_reference_apex(const tdmf_apex *apex, const reference_gait *gait, double tolerance) {
-    assert_close(apex->com_height, gait->apex.com_height, tolerance);
-    assert_close(apex->com_speed, gait->apex.com_speed, tolerance);
-    assert_close(apex->leg_length, gait->apex.leg_length, tolerance);
-    assert_close(apex->leg_angle, gait->apex.leg_angle, tolerance);
-    assert_close(apex->leg_length_rate, gait->apex.leg_length_rate, tolerance);
-    assert_close(apex->leg_angle_rate, gait->apex.leg_angle_rate, tolerance);
+void assert_reference_apex(tdmf_apex apex, const reference_gait *gait, double tolerance) {
+    assert_close(apex.com_height, gait->apex.com_height, tolerance);
+    assert_close(apex.com_speed, gait->apex.com_speed, tolerance);
+    assert_close(apex.leg_length, gait->apex.leg_length, tolerance);
+    assert_close(apex.leg_angle, gait->apex.leg_angle, tolerance);
+    assert_close(apex.leg_length_rate, gait->apex.leg_length_rate, tolerance);
+    assert_close(apex.leg_angle_rate, gait->apex.leg_angle_rate, tolerance);
 }
 
 void assert_reference_stride(const tdmf_motion *motion, const reference_gait *gait, double tolerance) {
-    const tdmf_stride *stride = &motion->record.stride;
-    assert_string_equal(stride->word, gait->word);
-    assert_int_equal(stride->touchdowns, 1);
-    assert_relatively_close(stride->period, gait->period, tolerance);
-    assert_relatively_close(stride->length, gait->length, tolerance);
-    assert_relatively_close(stride->speed, gait->speed, tolerance);
-    assert_relatively_close(stride->work, gait->work, tolerance);
-    assert_relatively_close(stride->cost_of_transport, gait->cost_of_transport, tolerance);
+    const tdmf_stride stride = last_stride_of(motion);
+    assert_string_equal(stride.word, gait->word);
+    assert_int_equal(stride.touchdowns, 1);
+    assert_relatively_close(stride.period, gait->period, tolerance);
+    assert_relatively_close(stride.length, gait->length, tolerance);
+    assert_relatively_close(stride.speed, gait->speed, tolerance);
+    assert_relatively_close(stride.work, gait->work, tolerance);
+    assert_relatively_close(stride.cost_of_transport, gait->cost_of_transport, tolerance);
     assert_relatively_close(motion->mode.liftoff_angle, gait->liftoff_angle, tolerance);
     if (gait->stance_time > 0.0) {
-        assert_relatively_close(stride->stance_time, gait->stance_time, tolerance);
-        assert_close(stride->slip_distance, gait->slip_distance, tolerance);
+        assert_relatively_close(stride.stance_time, gait->stance_time, tolerance);
+        assert_close(stride.slip_distance, gait->slip_distance, tolerance);
     }
-    assert_reference_apex(&motion->record.apex, gait, tolerance);
+    assert_reference_apex(last_apex_of(motion), gait, tolerance);
 }
 
 bool assert_reference_jacobian(const tdmf_return *stride, const reference_gait *gait) {

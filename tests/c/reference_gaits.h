@@ -64,7 +64,7 @@ runner runner_at_reference_apex(const reference_gait *gait);
 int assert_reference_events(const tdmf_event_log *log, const reference_event *expected, double tolerance);
 
 /* Each of the section's coordinates within an absolute tolerance of the reference. */
-void assert_reference_apex(const tdmf_apex *apex, const reference_gait *gait, double tolerance);
+void assert_reference_apex(tdmf_apex apex, const reference_gait *gait, double tolerance);
 
 /* The last stride and the apex that it ended at, to a relative tolerance (the apex and the distance slipped:
  * absolute). */

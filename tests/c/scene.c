@@ -125,13 +125,11 @@ void scene_assert_mode(const runner *runner, tdmf_contact_mode contact, tdmf_hip
 void scene_take_snapshot(const runner *runner, scene_snapshot *snapshot) {
     memcpy(snapshot->state, runner->motion.state, sizeof snapshot->state);
     memcpy(&snapshot->mode, &runner->motion.mode, sizeof snapshot->mode);
-    memcpy(&snapshot->record, &runner->motion.record, sizeof snapshot->record);
 }
 
 void scene_assert_unchanged(const runner *runner, const scene_snapshot *before) {
     assert_memory_equal(runner->motion.state, before->state, sizeof before->state);
     assert_memory_equal(&runner->motion.mode, &before->mode, sizeof before->mode);
-    assert_memory_equal(&runner->motion.record, &before->record, sizeof before->record);
 }
 
 double scene_guard(const runner *runner, tdmf_guard guard) {
@@ -317,8 +315,9 @@ double factor_of_element(const factors *by, int element) {
     const double speed = by->length / time_factor(by);
     const double mechanical[TDMF_MECHANICAL_COUNT] = {
         by->length, by->length, by->length, 1.0, speed, speed, speed, 1.0 / time_factor(by)};
+    const bool is_mechanical = element >= TDMF_FOOT_X && element <= TDMF_LEG_ANGLE_RATE;
     const double other = element == TDMF_HIP_PLACE_TIME ? time_factor(by) : energy_factor(by);
-    return element < TDMF_MECHANICAL_COUNT ? mechanical[element] : other;
+    return is_mechanical ? mechanical[element - TDMF_FOOT_X] : other;
 }
 
 tdmf_inputs scaled_inputs(tdmf_inputs inputs, const factors *by) {

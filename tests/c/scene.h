@@ -38,11 +38,10 @@ void scene_set_com_vy_by_leg(runner *runner, double com_vy);
 
 void scene_assert_mode(const runner *runner, tdmf_contact_mode contact, tdmf_hip_phase phase);
 
-/* State, mode and record at one time, to assert that they stayed as they were, bit for bit. */
+/* State and mode at one time, to assert that they stayed as they were, bit for bit. */
 typedef struct {
     double state[TDMF_STATE_COUNT];
     tdmf_mode mode;
-    tdmf_record record;
 } scene_snapshot;
 
 void scene_take_snapshot(const runner *runner, scene_snapshot *snapshot);

@@ -54,7 +54,7 @@ double simulation_ledger_error(const simulation *simulation);
 
 /* Asserts that all numbers of two strides, or of their ends, are as close as `tolerance` of 1 or of
  * themselves. */
-void assert_same_stride(const tdmf_stride *a, const tdmf_stride *b, double tolerance);
+void assert_same_stride(tdmf_stride a, tdmf_stride b, double tolerance);
 void assert_same_state(const tdmf_motion *a, const tdmf_motion *b, double tolerance);
 
 /* A simulation from a state at time 0; asserts that a run may start there. */
@@ -68,6 +68,6 @@ simulation simulation_of(const runner *runner, double relative_tolerance);
 void assert_refusal_text(tdmf_refusal refusal, const char *expected);
 
 /* The section at the last apex. */
-void read_apex(const tdmf_record *record, double section[TDMF_SECTION_COUNT]);
+void read_apex(const tdmf_motion *motion, double section[TDMF_SECTION_COUNT]);
 
 #endif

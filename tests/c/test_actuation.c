@@ -59,12 +59,12 @@ static simulation ramped(uint64_t seed, solver_call *advance, double tolerance, 
 TEST(ramps_of_every_input_close_the_ledger_and_agree_with_cvode) {
     for (uint64_t seed = 1; seed <= 6; ++seed) {
         const simulation native = ramped(seed, tdmf_native_advance, 1e-12, 1e-11);
-        assert_true(native.motion.record.stride.count >= 1);
+        assert_true(native.motion.state[TDMF_STRIDE_COUNT] >= 1);
         assert_true(native.motion.state[TDMF_LEG_WORK] != 0.0);
         if (tdmf_cvode_is_available()) {
             const simulation other = ramped(seed, tdmf_cvode_advance, 1e-11, 1e-8);
             assert_all_close(native.motion.state, other.motion.state, TDMF_STATE_COUNT, 1e-6, 0.0);
-            assert_int_equal(native.motion.record.event_count, other.motion.record.event_count);
+            assert_int_equal(native.motion.state[TDMF_EVENT_COUNT], other.motion.state[TDMF_EVENT_COUNT]);
         }
     }
 }
@@ -76,6 +76,7 @@ static const double thrust = 0.05;
 static runner standing_leg(double length_rate, double leg_thrust) {
     runner runner = scene_on_ground(TDMF_CONTACT_STICK, -0.3, 0.2);
     runner.model.parameters.leg.thrust = leg_thrust;
+    runner.motion.time = 1.0; /* after the start */
     runner.motion.state[TDMF_LEG_LENGTH_RATE] = length_rate;
     return runner;
 }
@@ -93,21 +94,21 @@ TEST(thrust_begins_where_the_leg_stops_shortening_and_outlasts_it) {
     runner.motion.state[TDMF_LEG_LENGTH_RATE] = 1e-9;
     assert_true(scene_resolve(&runner).mode_changed);
     assert_true(runner.motion.mode.thrusts);
-    assert_int_equal(runner.motion.record.event_count, 1);
+    assert_int_equal(runner.motion.state[TDMF_EVENT_COUNT], 1);
     assert_close(runner.motion.state[TDMF_LEG_WORK], work_of_thrust(&runner, thrust), 1e-15);
     runner.motion.state[TDMF_LEG_LENGTH_RATE] = -0.1;
     scene_resolve(&runner);
     runner.motion.state[TDMF_LEG_LENGTH_RATE] = 0.1;
     scene_resolve(&runner);
     assert_true(runner.motion.mode.thrusts);
-    assert_int_equal(runner.motion.record.event_count, 1);
+    assert_int_equal(runner.motion.state[TDMF_EVENT_COUNT], 1);
 }
 
 TEST(a_thrust_of_zero_is_noted_and_acts_where_it_is_set) {
     runner runner = standing_leg(1e-3, 0.0);
     assert_false(scene_resolve(&runner).mode_changed);
     assert_true(runner.motion.mode.thrusts);
-    assert_int_equal(runner.motion.record.event_count, 0);
+    assert_int_equal(runner.motion.state[TDMF_EVENT_COUNT], 0);
     assert_true(runner.motion.state[TDMF_LEG_WORK] == 0.0);
     runner.inputs.control.thrust = thrust;
     const tdmf_resolution resolution = scene_resolve(&runner);
@@ -139,14 +140,16 @@ TEST(the_native_solver_notes_a_thrust_of_zero) {
 }
 
 TEST(an_impact_on_a_lengthening_leg_thrusts_before_it_is_asked_whether_it_stays) {
-    runner thrusting = scene_at_impact(TDMF_PHASE_PLACE, -0.3, -0.02), free = thrusting;
+    runner thrusting = scene_at_impact(TDMF_PHASE_PLACE, -0.3, -0.02);
+    thrusting.motion.time = 1.0; /* after the start */
+    runner free = thrusting;
     thrusting.model.parameters.leg.thrust = 0.5;
     thrusting.motion.state[TDMF_LEG_LENGTH_RATE] += 0.3;
     free.motion.state[TDMF_LEG_LENGTH_RATE] += 0.3;
     scene_resolve(&thrusting);
     scene_resolve(&free);
     assert_true(tdmf_is_loaded(&thrusting.motion.mode) && thrusting.motion.mode.thrusts);
-    assert_int_equal(thrusting.motion.record.event_count, 1);
+    assert_int_equal(thrusting.motion.state[TDMF_EVENT_COUNT], 1);
     assert_false(tdmf_is_loaded(&free.motion.mode));
 }
 
@@ -175,12 +178,12 @@ TEST(a_runner_lifted_in_place_passes_a_second_apex) {
     simulation_advance(&run, 6.0);
     assert_int_equal(run.motion.mode.phase, TDMF_PHASE_PLACE);
     assert_true(tdmf_center_of_mass(&run.model, run.motion.state).vy > 0.1);
-    assert_int_equal(run.motion.record.stride.count, 0);
+    assert_int_equal(run.motion.state[TDMF_STRIDE_COUNT], 0);
     run.inputs.body.external_fy = 0.0;
     simulation_advance(&run, 30.0);
-    assert_int_equal(run.motion.record.stride.count, 1);
-    assert_string_equal(run.motion.record.stride.word, "");
-    assert_close(run.motion.state[TDMF_HIP_PLACE_TIME], 30.0 - run.motion.record.apex.time, 1e-12);
+    assert_int_equal(run.motion.state[TDMF_STRIDE_COUNT], 1);
+    assert_string_equal(last_stride_of(&run.motion).word, "");
+    assert_close(run.motion.state[TDMF_HIP_PLACE_TIME], 30.0 - last_apex_of(&run.motion).time, 1e-12);
     assert_close(simulation_ledger_error(&run), 0.0, 1e-12);
 }
 
@@ -196,11 +199,11 @@ TEST(a_push_that_ramps_may_lift_and_drop_in_place) {
         advance(&run.solver, SYSTEM_OF(&run), &grows, 3.0, &run.motion);
         run.inputs.body.external_fy = 0.06;
         advance(&run.solver, SYSTEM_OF(&run), &fades, 12.0, &run.motion);
-        assert_int_equal(run.motion.record.stride.count, 1);
+        assert_int_equal(run.motion.state[TDMF_STRIDE_COUNT], 1);
         /* vy(t) = integral of F/M - g, with F = 0.02 t to 3, then 0.06 - 0.02 (t - 3). */
         const double mass = 1.1, g = 0.01, peak = 0.09 / mass - 3.0 * g;
         const double a = 0.01 / mass, b = 0.06 / mass - g;
         const double apex = 3.0 + (b + sqrt(b * b + 4.0 * a * peak)) / (2.0 * a);
-        assert_close(run.motion.record.apex.time, apex, i == 0 ? 1e-9 : 1e-6);
+        assert_close(last_apex_of(&run.motion).time, apex, i == 0 ? 1e-9 : 1e-6);
     }
 }

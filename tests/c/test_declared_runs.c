@@ -55,7 +55,7 @@ static double loss_of_ledger(const run *run) {
     const double *state = run->motion.state;
     return OUTPUTS_OF(run).energy.total - run->start_energy - state[TDMF_HIP_WORK] - state[TDMF_LEG_WORK] -
            state[TDMF_ENERGY_EXTERNAL_WORK] + state[TDMF_ENERGY_DAMPER_LOSS] +
-           state[TDMF_ENERGY_FRICTION_LOSS] + run->motion.record.impact_loss;
+           state[TDMF_ENERGY_FRICTION_LOSS] + run->motion.state[TDMF_ENERGY_IMPACT_LOSS];
 }
 
 static double largest_energy(const run *run) {
@@ -66,7 +66,7 @@ static double largest_energy(const run *run) {
     return now.energy.kinetic + fabs(now.energy.potential) + now.energy.elastic + of_thrust +
            fabs(state[TDMF_HIP_WORK]) + fabs(state[TDMF_LEG_WORK]) + fabs(state[TDMF_ENERGY_EXTERNAL_WORK]) +
            state[TDMF_HIP_POSITIVE_WORK] + state[TDMF_ENERGY_DAMPER_LOSS] + state[TDMF_ENERGY_FRICTION_LOSS] +
-           run->motion.record.impact_loss;
+           run->motion.state[TDMF_ENERGY_IMPACT_LOSS];
 }
 
 static double push_energy(const run *run, const tdmf_inputs *inputs) {
@@ -362,7 +362,7 @@ static const char *follow(uint64_t seed, tally *seen) {
         ++seen->contact[run.motion.mode.contact];
         record_what_is_met(&run, seen);
     }
-    seen->strides += run.motion.record.stride.count;
+    seen->strides += (long)run.motion.state[TDMF_STRIDE_COUNT];
     seen->with_further_inputs += run.has_further_inputs;
     return wrong;
 }

@@ -197,8 +197,8 @@ TEST(each_runner_ends_as_by_the_native_solver) {
         assert_true((fate == TDMF_FATE_UNSOLVED) == (outcome.outcome == TDMF_TOO_STIFF));
         if (outcome.closed) {
             double apex[TDMF_SECTION_COUNT];
-            read_apex(&alone.motion.record, apex);
-            assert_same_stride(&strides[i].stride, &alone.motion.record.stride, 1e-9);
+            read_apex(&alone.motion, apex);
+            assert_same_stride(strides[i].stride, last_stride_of(&alone.motion), 1e-9);
             assert_all_close(strides[i].apex, apex, TDMF_SECTION_COUNT, 1e-9, 1e-9);
         }
         closed += outcome.closed;

@@ -45,9 +45,9 @@ TEST(events_of_the_published_gaits_have_the_proved_times) {
         start_on_gait(&run, gait, tightest);
         simulation_stride(&run);
         assert_event_times(&run, gait->events, gait->event_count, 3e-15);
-        assert_relatively_close(run.motion.record.stride.period, gait->period, 3e-15);
-        assert_relatively_close(run.motion.record.stride.length, gait->length, 1e-14);
-        assert_relatively_close(run.motion.record.apex.com_height, gait->apex[0], 1e-14);
+        assert_relatively_close(last_stride_of(&run.motion).period, gait->period, 3e-15);
+        assert_relatively_close(last_stride_of(&run.motion).length, gait->length, 1e-14);
+        assert_relatively_close(last_apex_of(&run.motion).com_height, gait->apex[0], 1e-14);
     }
 }
 
@@ -58,7 +58,8 @@ TEST(events_add_nothing_to_the_error_of_any_tolerance) {
         for (int i = 0; i < PROVED_GAITS; ++i) {
             start_on_gait(&run, &proved_gaits[i], tolerance);
             simulation_stride(&run);
-            assert_relatively_close(run.motion.record.stride.period, proved_gaits[i].period, 0.1 * tolerance);
+            assert_relatively_close(last_stride_of(&run.motion).period, proved_gaits[i].period,
+                                    0.1 * tolerance);
         }
     }
 }
@@ -115,7 +116,7 @@ TEST(strides_under_any_gravity_have_the_events_of_extended_precision) {
         simulation_stride(&run);
         compared += assert_events_but_clamps(&run, expected->events, 1e-12);
         double apex[TDMF_SECTION_COUNT];
-        read_apex(&run.motion.record, apex);
+        read_apex(&run.motion, apex);
         assert_all_close(apex, expected->apex, expected->apex_count, 1e-12, 1e-12);
         total += expected->event_count;
     }
@@ -136,11 +137,13 @@ TEST(a_stride_under_the_weakest_gravity_is_that_of_the_other_solver) {
     simulation_stride(&native);
     start(&other, &parameters, 0.6, tightest, apex);
     assert_int_equal(
-        simulation_advance_by(tdmf_cvode_advance, &other, native.motion.record.stride.period + 1.0),
+        simulation_advance_by(tdmf_cvode_advance, &other, last_stride_of(&native.motion).period + 1.0),
         TDMF_ARRIVED);
-    assert_int_equal(other.motion.record.stride.count, 1);
-    assert_relatively_close(native.motion.record.stride.period, other.motion.record.stride.period, 1e-9);
-    assert_relatively_close(native.motion.record.apex.com_height, other.motion.record.apex.com_height, 1e-9);
+    assert_int_equal(other.motion.state[TDMF_STRIDE_COUNT], 1);
+    assert_relatively_close(last_stride_of(&native.motion).period, last_stride_of(&other.motion).period,
+                            1e-9);
+    assert_relatively_close(last_apex_of(&native.motion).com_height, last_apex_of(&other.motion).com_height,
+                            1e-9);
 }
 
 /* Its own steps err by more than any margin makes. Where it finds the apex its root search tells. */
@@ -154,6 +157,6 @@ TEST(cvode_finds_the_apex_where_the_center_of_mass_stops_rising) {
         const tdmf_event *apex = &run.log.events[run.log.count - 1];
         assert_int_equal(apex->guard, TDMF_GUARD_APEX);
         assert_close(tdmf_center_of_mass(&run.model, apex->state).vy, 0.0, TDMF_GUARD_MARGIN + 2e-14);
-        assert_relatively_close(run.motion.record.stride.period, gait->period, 1e-10);
+        assert_relatively_close(last_stride_of(&run.motion).period, gait->period, 1e-10);
     }
 }

@@ -43,25 +43,25 @@ static void rates_of_unit(const void *context, double time, const double x[], do
     const extended_unit *unit = context;
     assert_int_equal(fmi2SetTime(unit->component, time), fmi2OK);
     assert_int_equal(set_real(unit->component, "leg.extension", unit->extension(time)), fmi2OK);
-    assert_int_equal(fmi2SetContinuousStates(unit->component, x, TDMF_STATE_COUNT), fmi2OK);
-    assert_int_equal(fmi2GetDerivatives(unit->component, rates, TDMF_STATE_COUNT), fmi2OK);
+    assert_int_equal(fmi2SetContinuousStates(unit->component, x, CONTINUOUS_STATES), fmi2OK);
+    assert_int_equal(fmi2GetDerivatives(unit->component, rates, CONTINUOUS_STATES), fmi2OK);
 }
 
 /* A step, at whose end the unit stands. */
 static void integrate_step(fmi2Component component, double time, double step, extension_at extension,
-                           double x[TDMF_STATE_COUNT]) {
+                           double x[CONTINUOUS_STATES]) {
     const extended_unit unit = {component, extension};
-    double rates[TDMF_STATE_COUNT];
-    runge_kutta(TDMF_STATE_COUNT, rates_of_unit, &unit, time, step, x, x);
+    double rates[CONTINUOUS_STATES];
+    runge_kutta(CONTINUOUS_STATES, rates_of_unit, &unit, time, step, x, x);
     rates_of_unit(&unit, time + step, x, rates);
 }
 
 /* Event mode, where the extension may jump to `extension`. */
-static bool jump_to(fmi2Component component, double extension, double x[TDMF_STATE_COUNT]) {
+static bool jump_to(fmi2Component component, double extension, double x[CONTINUOUS_STATES]) {
     char value[64];
     snprintf(value, sizeof value, "leg.extension=%.17g", extension);
     const update_answer answer = take_event(&fmi2, component, EXCHANGE, value);
-    assert_int_equal(fmi2GetContinuousStates(component, x, TDMF_STATE_COUNT), fmi2OK);
+    assert_int_equal(fmi2GetContinuousStates(component, x, CONTINUOUS_STATES), fmi2OK);
     return answer.states_changed;
 }
 
@@ -79,9 +79,9 @@ typedef struct {
 static flight fly(int step_count, extension_at extension) {
     fmi2Component component = begun(&fmi2, EXCHANGE, "leg.length=0.9");
     flight flown = {0.0, 0.0, 0};
-    double x[TDMF_STATE_COUNT];
+    double x[CONTINUOUS_STATES];
     const double energy = get_real(component, "energy.total"), step = duration / step_count;
-    assert_int_equal(fmi2GetContinuousStates(component, x, TDMF_STATE_COUNT), fmi2OK);
+    assert_int_equal(fmi2GetContinuousStates(component, x, CONTINUOUS_STATES), fmi2OK);
     for (int i = 0; i < step_count; ++i) {
         fmi2Boolean asks = fmi2False, terminate = fmi2False;
         integrate_step(component, i * step, step, extension, x);
@@ -120,7 +120,7 @@ TEST(an_extension_that_stays_asks_for_no_event) {
 /* A jump's work is the spring's energy gained. */
 TEST(a_jump_in_event_mode_is_accounted_for_exactly) {
     fmi2Component component = begun(&fmi2, EXCHANGE, "leg.length=0.9");
-    double x[TDMF_STATE_COUNT];
+    double x[CONTINUOUS_STATES];
     for (int i = 1; i <= 3; ++i) {
         const double elastic = get_real(component, "energy.elastic"), work = get_real(component, "leg.work");
         assert_true(jump_to(component, 0.03 * i * i, x));
@@ -143,7 +143,7 @@ TEST(a_thrust_from_the_start_is_read_before_the_run_begins) {
     const double gained =
         0.5 * stiffness * (pow(free_length + thrust - length, 2.0) - pow(free_length - length, 2.0));
     fmi2Component component = new_instance();
-    double x[TDMF_STATE_COUNT];
+    double x[CONTINUOUS_STATES];
     assert_int_equal(set_real(component, "leg.thrust", thrust), fmi2OK);
     assert_int_equal(set_real(component, "leg.length", length), fmi2OK);
     set_values(&fmi2, component, "leg.length_rate=0.1 leg.angle=-0.2 foot.y=0.0 foot.vx=0.0 foot.vy=0.0");
@@ -151,8 +151,8 @@ TEST(a_thrust_from_the_start_is_read_before_the_run_begins) {
     assert_int_equal(fmi2EnterInitializationMode(component), fmi2OK);
     const double before = get_real(component, "leg.work");
     assert_close(before, gained, 1e-15);
-    assert_int_equal(fmi2GetContinuousStates(component, x, TDMF_STATE_COUNT), fmi2OK);
-    assert_true(x[TDMF_LEG_WORK] == before && x[TDMF_LEG_LENGTH] == length && x[TDMF_FOOT_VX] == 0.0);
+    assert_int_equal(fmi2GetContinuousStates(component, x, CONTINUOUS_STATES), fmi2OK);
+    assert_true(x[STATE_LEG_WORK] == before && x[STATE_LEG_LENGTH] == length && x[STATE_FOOT_VX] == 0.0);
     assert_int_equal(fmi2ExitInitializationMode(component), fmi2OK);
     assert_true(get_real(component, "leg.work") == before);
 }
@@ -160,10 +160,10 @@ TEST(a_thrust_from_the_start_is_read_before_the_run_begins) {
 /* Work that is due in event mode is saved before it is reported. */
 TEST(work_that_is_due_is_saved) {
     fmi2Component one = new_instance(), other = new_instance();
-    double x[TDMF_STATE_COUNT];
+    double x[CONTINUOUS_STATES];
     fmi2EventInfo info;
     start_running(one);
-    assert_int_equal(fmi2GetContinuousStates(one, x, TDMF_STATE_COUNT), fmi2OK);
+    assert_int_equal(fmi2GetContinuousStates(one, x, CONTINUOUS_STATES), fmi2OK);
     integrate_step(one, 0.0, 0.1, ramp, x);
     assert_int_equal(fmi2EnterEventMode(one), fmi2OK);
     assert_int_equal(copy_state(&fmi2, one, other), FMI_OK);

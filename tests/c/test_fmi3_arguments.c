@@ -101,9 +101,9 @@ FMI_TEST(arrays_are_neither_too_short_nor_too_long) {
     double values[TDMF_GUARD_COUNT + 1] = {0};
     void *instance = running(fmi);
     char count[8];
-    snprintf(count, sizeof count, "%d", TDMF_STATE_COUNT);
+    snprintf(count, sizeof count, "%d", CONTINUOUS_STATES);
     for (int i = -1; i <= 1; i += 2) {
-        const size_t states = (size_t)(TDMF_STATE_COUNT + i), guards = (size_t)(TDMF_GUARD_COUNT + i);
+        const size_t states = (size_t)(CONTINUOUS_STATES + i), guards = (size_t)(TDMF_GUARD_COUNT + i);
         assert_int_equal(fmi->get_states(instance, values, states), FMI_ERROR);
         assert_non_null(strstr(last_message, count));
         assert_int_equal(fmi->set_states(instance, values, states), FMI_ERROR);
@@ -165,7 +165,7 @@ TEST(an_instance_that_fails_before_its_run_shows_its_start) {
 
 /* The force of the instant before an input changes it counts for the peak of the stride. */
 TEST(event_mode_is_entered_with_the_force_noted) {
-    double states[TDMF_STATE_COUNT];
+    double states[CONTINUOUS_STATES];
     fmi2Component component = new_instance();
     const instance *inside = component;
     bool is_noted = false;
@@ -173,10 +173,10 @@ TEST(event_mode_is_entered_with_the_force_noted) {
                "foot.y=0.0 foot.vx=0.0 foot.vy=0.0 leg.angle=0.1 leg.length=0.9 ground.friction=10.0");
     start_running(component);
     assert_int_equal(get_whole(component, "contact.mode"), TDMF_CONTACT_STICK);
-    assert_int_equal(fmi2GetContinuousStates(component, states, TDMF_STATE_COUNT), fmi2OK);
+    assert_int_equal(fmi2GetContinuousStates(component, states, CONTINUOUS_STATES), fmi2OK);
     const double before = get_real(component, "contact.fy");
-    states[TDMF_LEG_LENGTH] = 0.7;
-    assert_int_equal(fmi2SetContinuousStates(component, states, TDMF_STATE_COUNT), fmi2OK);
+    states[STATE_LEG_LENGTH] = 0.7;
+    assert_int_equal(fmi2SetContinuousStates(component, states, CONTINUOUS_STATES), fmi2OK);
     const double force = get_real(component, "contact.fy");
     assert_true(force > 1.5 * before);
     assert_int_equal(fmi2EnterEventMode(component), fmi2OK);

@@ -78,7 +78,7 @@ FMI_TEST(refuses_null_instances) {
         return (fmi_status)(__VA_ARGS__);                                                                    \
     }
 
-static double numbers[TDMF_STATE_COUNT + TDMF_GUARD_COUNT]; /* room for answers */
+static double numbers[CONTINUOUS_STATES + TDMF_GUARD_COUNT]; /* room for answers */
 static update_answer updated;
 static step_answer stepped;
 static bool truths[2];
@@ -96,10 +96,10 @@ CALL(enter_step_mode, fmi->enter_step_mode(instance))
 CALL(do_step, fmi->do_step(instance, 0.0, 1.0, &stepped))
 CALL(completed_step, fmi->complete_step(instance, &truths[0], &truths[1]))
 CALL(set_time, fmi->set_time(instance, 0.0))
-CALL(get_states, fmi->get_states(instance, numbers, TDMF_STATE_COUNT))
-CALL(get_derivatives, fmi->get_derivatives(instance, numbers, TDMF_STATE_COUNT))
+CALL(get_states, fmi->get_states(instance, numbers, CONTINUOUS_STATES))
+CALL(get_derivatives, fmi->get_derivatives(instance, numbers, CONTINUOUS_STATES))
 CALL(get_indicators, fmi->get_indicators(instance, numbers, TDMF_GUARD_COUNT))
-CALL(get_nominals, fmi->get_nominals(instance, numbers, TDMF_STATE_COUNT))
+CALL(get_nominals, fmi->get_nominals(instance, numbers, CONTINUOUS_STATES))
 CALL(get, fmi->get_reals(instance, &reference, 1, numbers))
 CALL(set_input, set_value(fmi, instance, "ground.friction", 0.6))
 CALL(set_state, set_value(fmi, instance, "foot.vx", 1.0))
@@ -115,9 +115,9 @@ CALL(terminate, fmi->terminate(instance))
 CALL(reset, fmi->reset(instance))
 
 static fmi_status call_set_states(const fmi_interface *fmi, void *instance) {
-    double states[TDMF_STATE_COUNT];
-    tdmf_default_state(states);
-    return fmi->set_states(instance, states, TDMF_STATE_COUNT);
+    double states[CONTINUOUS_STATES];
+    write_default_states(states);
+    return fmi->set_states(instance, states, CONTINUOUS_STATES);
 }
 
 static fmi_status call_save(const fmi_interface *fmi, void *instance) {
@@ -132,7 +132,7 @@ static fmi_status call_counts(const fmi_interface *fmi, void *instance) {
     (void)fmi;
     const fmi3Status status = fmi3GetNumberOfContinuousStates(instance, &states);
     assert_int_equal(fmi3GetNumberOfEventIndicators(instance, &indicators), status);
-    assert_int_equal(states, TDMF_STATE_COUNT);
+    assert_int_equal(states, CONTINUOUS_STATES);
     assert_int_equal(indicators, TDMF_GUARD_COUNT);
     return (fmi_status)status;
 }

@@ -80,20 +80,20 @@ TEST(contradicting_start_values_are_read_and_what_follows_is_not) {
 
 /* The states are those of a flight, each of them changed. */
 FMI_TEST(states_set_one_by_one_are_states_set_as_a_whole) {
-    double states[TDMF_STATE_COUNT], expected[TDMF_STATE_COUNT], found[TDMF_STATE_COUNT];
+    double states[CONTINUOUS_STATES], expected[CONTINUOUS_STATES], found[CONTINUOUS_STATES];
     const uint32_t first = reference_of("foot.x");
     void *whole = new_of_kind(fmi, EXCHANGE), *single = new_of_kind(fmi, EXCHANGE);
     begin(fmi, whole, EXCHANGE);
     begin(fmi, single, EXCHANGE);
-    assert_int_equal(fmi->get_states(whole, states, TDMF_STATE_COUNT), FMI_OK);
-    for (uint32_t i = 0; i < TDMF_STATE_COUNT; ++i) {
+    assert_int_equal(fmi->get_states(whole, states, CONTINUOUS_STATES), FMI_OK);
+    for (uint32_t i = 0; i < CONTINUOUS_STATES; ++i) {
         const uint32_t reference = first + i;
         states[i] += 0.01 * (i + 1);
         assert_int_equal(fmi->set_reals(single, &reference, 1, &states[i]), FMI_OK);
     }
-    assert_int_equal(fmi->set_states(whole, states, TDMF_STATE_COUNT), FMI_OK);
-    assert_int_equal(fmi->get_derivatives(whole, expected, TDMF_STATE_COUNT), FMI_OK);
-    assert_int_equal(fmi->get_derivatives(single, found, TDMF_STATE_COUNT), FMI_OK);
+    assert_int_equal(fmi->set_states(whole, states, CONTINUOUS_STATES), FMI_OK);
+    assert_int_equal(fmi->get_derivatives(whole, expected, CONTINUOUS_STATES), FMI_OK);
+    assert_int_equal(fmi->get_derivatives(single, found, CONTINUOUS_STATES), FMI_OK);
     assert_memory_equal(found, expected, sizeof found);
     assert_true(value_of(fmi, single, "body.y") == value_of(fmi, whole, "body.y"));
 }

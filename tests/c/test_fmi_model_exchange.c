@@ -117,10 +117,10 @@ FMI_TEST(refuses_bad_experiments) {
 
 FMI_TEST(initialization_shows_what_would_start) {
     void *instance = in_initialization(fmi);
-    double derivatives[TDMF_STATE_COUNT], indicators[TDMF_GUARD_COUNT];
+    double derivatives[CONTINUOUS_STATES], indicators[TDMF_GUARD_COUNT];
     set_values(fmi, instance, "foot.vy=-0.5");
-    assert_int_equal(fmi->get_derivatives(instance, derivatives, TDMF_STATE_COUNT), FMI_OK);
-    assert_true(derivatives[TDMF_FOOT_Y] == -0.5);
+    assert_int_equal(fmi->get_derivatives(instance, derivatives, CONTINUOUS_STATES), FMI_OK);
+    assert_true(derivatives[STATE_FOOT_Y] == -0.5);
     assert_int_equal(fmi->get_indicators(instance, indicators, TDMF_GUARD_COUNT), FMI_OK);
     for (int i = 0; i < TDMF_GUARD_COUNT; ++i) {
         assert_true(indicators[i] > 0.0);
@@ -142,30 +142,30 @@ FMI_TEST(trial_states_give_finite_answers) {
     static const double wild[] = {0.0, -1.0, 1e-300, -DBL_MAX, DBL_MAX, INFINITY, -INFINITY};
     const int wild_count = (int)(COUNT_OF(wild));
     void *instance = in_continuous_time_mode(fmi);
-    for (int element = 0; element < TDMF_STATE_COUNT * wild_count; ++element) {
-        double states[TDMF_STATE_COUNT], derivatives[TDMF_STATE_COUNT], indicators[TDMF_GUARD_COUNT];
-        tdmf_default_state(states);
+    for (int element = 0; element < CONTINUOUS_STATES * wild_count; ++element) {
+        double states[CONTINUOUS_STATES], derivatives[CONTINUOUS_STATES], indicators[TDMF_GUARD_COUNT];
+        write_default_states(states);
         for (int i = 0; i <= element / wild_count; ++i) {
             states[i] = wild[(element + i) % wild_count];
         }
         const uint32_t last = reference_of("foot.x") + (uint32_t)(element / wild_count);
-        assert_int_equal(fmi->set_states(instance, states, TDMF_STATE_COUNT), FMI_OK);
+        assert_int_equal(fmi->set_states(instance, states, CONTINUOUS_STATES), FMI_OK);
         assert_int_equal(fmi->set_reals(instance, &last, 1, &wild[element % wild_count]), FMI_OK);
-        assert_int_equal(fmi->get_derivatives(instance, derivatives, TDMF_STATE_COUNT), FMI_OK);
+        assert_int_equal(fmi->get_derivatives(instance, derivatives, CONTINUOUS_STATES), FMI_OK);
         assert_int_equal(fmi->get_indicators(instance, indicators, TDMF_GUARD_COUNT), FMI_OK);
-        assert_all_finite(derivatives, TDMF_STATE_COUNT);
+        assert_all_finite(derivatives, CONTINUOUS_STATES);
         assert_all_finite(indicators, TDMF_GUARD_COUNT);
     }
 }
 
 FMI_TEST(a_state_that_is_not_a_number_is_discarded) {
     void *instance = in_continuous_time_mode(fmi);
-    for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
-        double states[TDMF_STATE_COUNT], after[TDMF_STATE_COUNT];
-        tdmf_default_state(states);
+    for (int i = 0; i < CONTINUOUS_STATES; ++i) {
+        double states[CONTINUOUS_STATES], after[CONTINUOUS_STATES];
+        write_default_states(states);
         states[i] = NAN;
-        assert_int_equal(fmi->set_states(instance, states, TDMF_STATE_COUNT), FMI_DISCARD);
-        assert_int_equal(fmi->get_states(instance, after, TDMF_STATE_COUNT), FMI_OK);
+        assert_int_equal(fmi->set_states(instance, states, CONTINUOUS_STATES), FMI_DISCARD);
+        assert_int_equal(fmi->get_states(instance, after, CONTINUOUS_STATES), FMI_OK);
         assert_true(!isnan(after[i]));
     }
     const uint32_t pair[] = {reference_of("foot.x"), reference_of("leg.length")};
@@ -176,25 +176,25 @@ FMI_TEST(a_state_that_is_not_a_number_is_discarded) {
 }
 
 /* Sets states in continuous-time mode, enters event mode, and updates. */
-static void update_at(const fmi_interface *fmi, void *instance, const double states[TDMF_STATE_COUNT],
+static void update_at(const fmi_interface *fmi, void *instance, const double states[CONTINUOUS_STATES],
                       update_answer *answer) {
-    assert_int_equal(fmi->set_states(instance, states, TDMF_STATE_COUNT), FMI_OK);
+    assert_int_equal(fmi->set_states(instance, states, CONTINUOUS_STATES), FMI_OK);
     assert_int_equal(fmi->enter_event_mode(instance), FMI_OK);
     assert_int_equal(fmi->update(instance, answer), FMI_OK);
 }
 
 FMI_TEST(event_mode_goes_by_the_guards) {
     void *instance = in_continuous_time_mode(fmi);
-    double states[TDMF_STATE_COUNT];
+    double states[CONTINUOUS_STATES];
     update_answer answer;
-    assert_int_equal(fmi->get_states(instance, states, TDMF_STATE_COUNT), FMI_OK);
+    assert_int_equal(fmi->get_states(instance, states, CONTINUOUS_STATES), FMI_OK);
     update_at(fmi, instance, states, &answer);
     assert_false(answer.states_changed || answer.needs_update || answer.terminate ||
                  answer.nominals_changed || answer.next_time_defined);
     assert_int_equal(integer_of(fmi, instance, "event.count"), 0);
     assert_int_equal(fmi->enter_continuous_time_mode(instance), FMI_OK);
-    states[TDMF_FOOT_Y] = -1e-11;
-    states[TDMF_FOOT_VY] = -0.1;
+    states[STATE_FOOT_Y] = -1e-11;
+    states[STATE_FOOT_VY] = -0.1;
     assert_int_equal(fmi->set_time(instance, 0.5), FMI_OK); /* no part of the start */
     update_at(fmi, instance, states, &answer);
     assert_true(answer.states_changed && !answer.terminate);
@@ -207,38 +207,38 @@ FMI_TEST(a_fall_freezes_and_asks_to_stop_where_the_parameter_says_so) {
     for (int i = 0; i < 3; ++i) {
         void *instance = new_of_kind(fmi, EXCHANGE);
         const bool stops = i > 0; /* by default, too */
-        double states[TDMF_STATE_COUNT], derivatives[TDMF_STATE_COUNT];
+        double states[CONTINUOUS_STATES], derivatives[CONTINUOUS_STATES];
         update_answer answer;
         if (i < 2) {
             assert_int_equal(fmi->set_truth(instance, reference_of("status.terminate_on_fall"), stops),
                              FMI_OK);
         }
         begin(fmi, instance, EXCHANGE);
-        tdmf_default_state(states);
-        states[TDMF_LEG_LENGTH] = 0.01;
+        write_default_states(states);
+        states[STATE_LEG_LENGTH] = 0.01;
         update_at(fmi, instance, states, &answer);
         assert_int_equal(answer.terminate, stops);
         assert_int_equal(fmi->enter_continuous_time_mode(instance), FMI_OK);
-        assert_int_equal(fmi->get_derivatives(instance, derivatives, TDMF_STATE_COUNT), FMI_OK);
-        assert_all_are(derivatives, TDMF_STATE_COUNT, 0.0);
+        assert_int_equal(fmi->get_derivatives(instance, derivatives, CONTINUOUS_STATES), FMI_OK);
+        assert_all_are(derivatives, CONTINUOUS_STATES, 0.0);
         assert_true(value_of(fmi, instance, "leg.length") == 0.01);
     }
 }
 
 FMI_TEST(nominals_follow_the_parameters) {
     for (int early = 0; early < 2; ++early) { /* in initialization mode, and after it */
-        double nominals[TDMF_STATE_COUNT];
+        double nominals[CONTINUOUS_STATES];
         void *instance = in_initialization(fmi);
         set_values(fmi, instance, "body.mass=4.0 leg.stiffness=100.0 leg.free_length=2.0");
         if (early == 0) {
             assert_int_equal(fmi->exit_initialization(instance), FMI_OK);
         }
-        assert_int_equal(fmi->get_nominals(instance, nominals, TDMF_STATE_COUNT), FMI_OK);
-        assert_true(nominals[TDMF_FOOT_X] == 2.0);
-        assert_true(nominals[TDMF_LEG_LENGTH] == 2.0);
-        assert_true(nominals[TDMF_FOOT_VX] == 10.0);
-        assert_true(nominals[TDMF_LEG_ANGLE_RATE] == 5.0);
-        assert_true(nominals[TDMF_HIP_WORK] == 400.0);
+        assert_int_equal(fmi->get_nominals(instance, nominals, CONTINUOUS_STATES), FMI_OK);
+        assert_true(nominals[STATE_FOOT_X] == 2.0);
+        assert_true(nominals[STATE_LEG_LENGTH] == 2.0);
+        assert_true(nominals[STATE_FOOT_VX] == 10.0);
+        assert_true(nominals[STATE_LEG_ANGLE_RATE] == 5.0);
+        assert_true(nominals[STATE_HIP_WORK] == 400.0);
     }
 }
 

@@ -56,20 +56,20 @@ FMI_TEST(co_simulation_goes_on_as_if_never_stopped) {
 
 FMI_TEST(model_exchange_restores_its_call_state) {
     void *saved = NULL;
-    double states[TDMF_STATE_COUNT];
-    double derivatives[2][TDMF_STATE_COUNT];
+    double states[CONTINUOUS_STATES];
+    double derivatives[2][CONTINUOUS_STATES];
     void *instance = begun(fmi, EXCHANGE, "");
     assert_int_equal(fmi->save(instance, &saved), FMI_OK);
-    assert_int_equal(fmi->get_derivatives(instance, derivatives[0], TDMF_STATE_COUNT), FMI_OK);
+    assert_int_equal(fmi->get_derivatives(instance, derivatives[0], CONTINUOUS_STATES), FMI_OK);
     memset(states, 0, sizeof states);
-    states[TDMF_LEG_LENGTH] = 0.9;
-    assert_int_equal(fmi->set_states(instance, states, TDMF_STATE_COUNT), FMI_OK);
+    states[STATE_LEG_LENGTH] = 0.9;
+    assert_int_equal(fmi->set_states(instance, states, CONTINUOUS_STATES), FMI_OK);
     assert_int_equal(fmi->enter_event_mode(instance), FMI_OK);
     assert_int_equal(fmi->restore(instance, saved), FMI_OK);
-    assert_int_equal(fmi->get_derivatives(instance, derivatives[1], TDMF_STATE_COUNT), FMI_OK);
+    assert_int_equal(fmi->get_derivatives(instance, derivatives[1], CONTINUOUS_STATES), FMI_OK);
     assert_memory_equal(derivatives[0], derivatives[1], sizeof derivatives[0]);
     assert_int_equal(fmi->set_time(instance, 1.0), FMI_OK);
-    assert_int_equal(fmi->set_states(instance, states, TDMF_STATE_COUNT), FMI_OK); /* continuous again */
+    assert_int_equal(fmi->set_states(instance, states, CONTINUOUS_STATES), FMI_OK); /* continuous again */
     assert_int_equal(fmi->free_saved(instance, &saved), FMI_OK);
 }
 
@@ -172,17 +172,17 @@ FMI_TEST(a_state_passed_where_its_address_is_due_is_left_alone) {
 
 /* A step of Euler's method, events included. */
 static void integrate_a_step(const fmi_interface *fmi, void *instance) {
-    double states[TDMF_STATE_COUNT], slopes[TDMF_STATE_COUNT];
+    double states[CONTINUOUS_STATES], slopes[CONTINUOUS_STATES];
     double before[TDMF_GUARD_COUNT], after[TDMF_GUARD_COUNT];
     bool event = false;
     assert_int_equal(fmi->get_indicators(instance, before, TDMF_GUARD_COUNT), FMI_OK);
-    assert_int_equal(fmi->get_states(instance, states, TDMF_STATE_COUNT), FMI_OK);
-    assert_int_equal(fmi->get_derivatives(instance, slopes, TDMF_STATE_COUNT), FMI_OK);
-    for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
+    assert_int_equal(fmi->get_states(instance, states, CONTINUOUS_STATES), FMI_OK);
+    assert_int_equal(fmi->get_derivatives(instance, slopes, CONTINUOUS_STATES), FMI_OK);
+    for (int i = 0; i < CONTINUOUS_STATES; ++i) {
         states[i] += step_size * slopes[i];
     }
     assert_int_equal(fmi->set_time(instance, value_of(fmi, instance, "time") + step_size), FMI_OK);
-    assert_int_equal(fmi->set_states(instance, states, TDMF_STATE_COUNT), FMI_OK);
+    assert_int_equal(fmi->set_states(instance, states, CONTINUOUS_STATES), FMI_OK);
     assert_int_equal(fmi->get_indicators(instance, after, TDMF_GUARD_COUNT), FMI_OK);
     for (int i = 0; i < TDMF_GUARD_COUNT; ++i) {
         event |= (before[i] > 0.0) != (after[i] > 0.0);

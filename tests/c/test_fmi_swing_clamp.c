@@ -73,17 +73,17 @@ FMI_TEST(strides_are_those_of_the_reference) {
 
 FMI_TEST(without_it_the_indicator_is_constant_and_the_servo_pulls) {
     for (int clamp = 0; clamp < 2; ++clamp) {
-        double indicators[TDMF_GUARD_COUNT], states[TDMF_STATE_COUNT];
+        double indicators[TDMF_GUARD_COUNT], states[CONTINUOUS_STATES];
         void *instance = new_rising(fmi, EXCHANGE, clamp == 1);
         const double servo = -0.1 * (-0.6 + 1.2 * 0.6) - 0.1 * 0.5;
         assert_close(value_of(fmi, instance, "hip.torque"), clamp == 1 ? 0.0 : servo, 1e-15);
-        assert_int_equal(fmi->get_states(instance, states, TDMF_STATE_COUNT), FMI_OK);
+        assert_int_equal(fmi->get_states(instance, states, CONTINUOUS_STATES), FMI_OK);
         for (int i = 0; i < 20; ++i) {
             assert_int_equal(fmi->get_indicators(instance, indicators, TDMF_GUARD_COUNT), FMI_OK);
             assert_true((indicators[TDMF_GUARD_CLAMP] == 1.0) == (clamp == 0));
             assert_true(value_of(fmi, instance, "guard.clamp") == indicators[TDMF_GUARD_CLAMP]);
-            states[TDMF_LEG_ANGLE_RATE] -= 0.1; /* through the zero of the servo's torque */
-            assert_int_equal(fmi->set_states(instance, states, TDMF_STATE_COUNT), FMI_OK);
+            states[STATE_LEG_ANGLE_RATE] -= 0.1; /* through the zero of the servo's torque */
+            assert_int_equal(fmi->set_states(instance, states, CONTINUOUS_STATES), FMI_OK);
         }
     }
 }

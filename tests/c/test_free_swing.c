@@ -29,7 +29,7 @@ TEST(the_leg_converges_to_the_angle_aimed_at) {
         }
         begin(&run, &model, gait->friction, (const double *)&gait->apex);
         simulation_stride(&run);
-        assert_close(run.motion.record.apex.leg_angle, 1.2 * run.motion.mode.liftoff_angle, 1e-2);
+        assert_close(last_apex_of(&run.motion).leg_angle, 1.2 * run.motion.mode.liftoff_angle, 1e-2);
     }
 }
 
@@ -62,13 +62,13 @@ TEST(random_strides_are_those_of_the_reference) {
         double end[TDMF_SECTION_COUNT];
         begin(&run, &model, expected->friction, expected->start);
         simulation_stride(&run);
-        const tdmf_stride *stride = &run.motion.record.stride;
+        const tdmf_stride stride = last_stride_of(&run.motion);
         tdmf_section_of_state(&model, &run.motion.mode.ground, run.motion.state, end);
-        assert_string_equal(stride->word, expected->word);
-        assert_int_equal(stride->touchdowns, expected->touchdowns);
-        assert_relatively_close(stride->period, expected->period, 1e-9);
-        assert_relatively_close(stride->length, expected->length, 1e-9);
-        assert_relatively_close(stride->work, expected->work, 1e-9);
+        assert_string_equal(stride.word, expected->word);
+        assert_int_equal(stride.touchdowns, expected->touchdowns);
+        assert_relatively_close(stride.period, expected->period, 1e-9);
+        assert_relatively_close(stride.length, expected->length, 1e-9);
+        assert_relatively_close(stride.work, expected->work, 1e-9);
         assert_all_close(end, expected->end, TDMF_SECTION_COUNT, 1e-9, 1e-9);
         bounces += expected->touchdowns > 1;
     }

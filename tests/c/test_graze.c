@@ -29,7 +29,7 @@ static runner runner_that_passes_upright(void) {
 
 static tdmf_event_log events_until(solver_call *solve, double end) {
     const runner runner = runner_that_passes_upright();
-    tdmf_motion motion = {.mode = runner.motion.mode, .record = runner.motion.record};
+    tdmf_motion motion = {.mode = runner.motion.mode};
     tdmf_solver solver = tdmf_solver_default();
     tdmf_event_log log = {0};
     memcpy(motion.state, runner.motion.state, sizeof motion.state);
@@ -114,7 +114,7 @@ TEST(a_foot_leaves_graze_by_the_law_beyond_the_kink_of_the_clamp) {
         if (!is_between_its_exits(&at) || kinks_until_exit(&plain) == 0) {
             continue;
         }
-        tdmf_motion motion = {.mode = at.motion.mode, .record = at.motion.record};
+        tdmf_motion motion = {.mode = at.motion.mode};
         tdmf_solver solver = tdmf_solver_default();
         tdmf_event_log log = {0};
         memcpy(motion.state, at.motion.state, sizeof motion.state);

@@ -57,11 +57,11 @@ static bool waits(const simulation *run) {
 
 TEST(a_line_below_a_foot_in_flight_is_in_force_at_once_as_one_event) {
     simulation run = run_at_apex(0.0, 0.0);
-    const int events = run.motion.record.event_count;
+    const double events = run.motion.state[TDMF_EVENT_COUNT];
     set_line(&run, -0.1, 0.02);
     assert_false(waits(&run));
     assert_true(run.motion.mode.ground.height == -0.1 && run.motion.mode.ground.slope == 0.02);
-    assert_int_equal(run.motion.record.event_count, events + 1);
+    assert_int_equal(run.motion.state[TDMF_EVENT_COUNT], events + 1);
     simulation_stride(&run);
     const tdmf_event *touchdown = simulation_event(&run, TDMF_GUARD_TOUCHDOWN);
     assert_non_null(touchdown);
@@ -70,10 +70,10 @@ TEST(a_line_below_a_foot_in_flight_is_in_force_at_once_as_one_event) {
 
 TEST(the_same_line_set_again_is_no_event) {
     simulation run = run_at_apex(0.3, 0.01);
-    const int events = run.motion.record.event_count;
+    const double events = run.motion.state[TDMF_EVENT_COUNT];
     set_line(&run, 0.3, 0.01);
     assert_false(waits(&run));
-    assert_int_equal(run.motion.record.event_count, events);
+    assert_int_equal(run.motion.state[TDMF_EVENT_COUNT], events);
 }
 
 /* A step under a stance: until lift-off the old ground is the ground. */
@@ -89,7 +89,7 @@ TEST(a_foot_that_stands_keeps_its_ground) {
     const tdmf_event *graze_end = simulation_event(&run, TDMF_GUARD_GRAZE_TO_FLIGHT);
     assert_true(lift_off->after.contact == TDMF_CONTACT_GRAZE && lift_off->after.ground.height == 0.0);
     assert_true(graze_end->before.ground.height == 0.0 && graze_end->after.ground.height == -0.05);
-    assert_close(run.motion.record.apex.com_height,
+    assert_close(last_apex_of(&run.motion).com_height,
                  tdmf_center_of_mass(&run.model, run.motion.state).y + 0.05, 1e-15);
     assert_false(waits(&run));
 }
@@ -148,26 +148,26 @@ TEST(a_foot_that_stays_below_a_new_step_runs_on_the_old_ground) {
         simulation_stride(&high);
         simulation_stride(&plain);
         assert_true(waits(&high));
-        assert_true(memcmp(&high.motion.record.apex, &plain.motion.record.apex, sizeof(tdmf_apex)) == 0 ||
-                    fabs(high.motion.record.apex.com_height - plain.motion.record.apex.com_height) < 1e-11);
-        assert_int_equal(high.motion.record.event_count, plain.motion.record.event_count);
+        assert_true(fabs(last_apex_of(&high.motion).com_height - last_apex_of(&plain.motion).com_height) <
+                    1e-11);
+        assert_int_equal(high.motion.state[TDMF_EVENT_COUNT], plain.motion.state[TDMF_EVENT_COUNT]);
     }
 }
 
 TEST(the_last_line_set_replaces_one_that_waits) {
     simulation run = run_at_apex(0.0, 0.0);
-    const int events = run.motion.record.event_count;
+    const double events = run.motion.state[TDMF_EVENT_COUNT];
     set_line(&run, 50.0, 0.1);
     assert_true(waits(&run));
     set_line(&run, 60.0, -0.1);
     assert_true(waits(&run));
     set_line(&run, 0.0, 0.0);
     assert_false(waits(&run));
-    assert_int_equal(run.motion.record.event_count, events);
+    assert_int_equal(run.motion.state[TDMF_EVENT_COUNT], events);
     set_line(&run, 50.0, 0.1);
     set_line(&run, 0.01, 0.01);
     assert_false(waits(&run));
-    assert_int_equal(run.motion.record.event_count, events + 1);
+    assert_int_equal(run.motion.state[TDMF_EVENT_COUNT], events + 1);
 }
 
 /* The next apex is that of a runner that is lower by the step. */
@@ -181,9 +181,9 @@ TEST(a_step_set_at_an_apex_shifts_its_height_by_its_own_and_no_more) {
     section[TDMF_SECTION_COM_HEIGHT] -= step;
     const tdmf_return next = return_map(&lower.solver, SYSTEM_OF(&lower), section, 1e9, false, NULL, 0);
     double reached[TDMF_SECTION_COUNT];
-    read_apex(&stepped.motion.record, reached);
+    read_apex(&stepped.motion, reached);
     assert_all_close(reached, next.apex, TDMF_SECTION_COUNT, 1e-11, 0.0);
-    assert_close(stepped.motion.record.stride.rise,
+    assert_close(last_stride_of(&stepped.motion).rise,
                  next.apex[0] + step - reference_gaits[DEFAULT_GAIT].apex.com_height, 1e-11);
 }
 
@@ -230,7 +230,7 @@ TEST(a_start_beside_the_ground_is_one_on_it) {
         assert_true(tdmf_is_loaded(&runner.motion.mode));
         assert_close(foot.y, 0.0, 4.0 * DBL_EPSILON);
         assert_close(foot.vy, 0.0, DBL_EPSILON * 1e-12);
-        assert_int_equal(runner.motion.record.progress.open.touchdowns, 0);
+        assert_int_equal(runner.motion.state[TDMF_STRIDE_TOUCHDOWNS_SO_FAR], 0);
     }
 }
 
@@ -264,8 +264,9 @@ TEST(a_runner_that_is_moved_with_its_ground_runs_alike) {
             for (int n = 0; n < 3; ++n, ++compared) {
                 simulation_stride(&here);
                 simulation_stride(&there);
-                assert_same_stride(&here.motion.record.stride, &there.motion.record.stride, 1e-9);
-                assert_close(here.motion.record.apex.com_height, there.motion.record.apex.com_height, 1e-9);
+                assert_same_stride(last_stride_of(&here.motion), last_stride_of(&there.motion), 1e-9);
+                assert_close(last_apex_of(&here.motion).com_height, last_apex_of(&there.motion).com_height,
+                             1e-9);
             }
         }
     }
@@ -344,8 +345,9 @@ TEST(a_runner_on_a_slope_far_up_or_down_runs_on) {
         for (int count = 1; count <= STRIDES; ++count) {
             simulation_stride(&near);
             simulation_stride(&far);
-            assert_int_equal(far.motion.record.stride.word_code, near.motion.record.stride.word_code);
-            assert_close(far.motion.record.stride.speed, near.motion.record.stride.speed, 1e2 * rounding);
+            assert_int_equal(last_stride_of(&far.motion).word_code, last_stride_of(&near.motion).word_code);
+            assert_close(last_stride_of(&far.motion).speed, last_stride_of(&near.motion).speed,
+                         1e2 * rounding);
         }
     }
 }

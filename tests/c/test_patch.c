@@ -41,7 +41,8 @@ static void assert_falls(const patch_run *run, simulation *at) {
     assert_int_equal(simulation_advance(at, 1e9), TDMF_FELL);
     assert_close(at->motion.time, run->fall_time, 1e-7);
     for (int i = 0; i < TDMF_MECHANICAL_COUNT; ++i) {
-        assert_close(at->motion.state[i], run->fall_state[i], 1e-7 * fmax(1.0, fabs(run->fall_state[i])));
+        assert_close(at->motion.state[TDMF_FOOT_X + i], run->fall_state[i],
+                     1e-7 * fmax(1.0, fabs(run->fall_state[i])));
     }
 }
 
@@ -53,7 +54,7 @@ TEST(the_native_solver_makes_each_run_word_by_word) {
         int its_crossings = 0;
         for (int k = 0; k < run->strides; ++k) {
             simulation_stride(&at);
-            assert_string_equal(at.motion.record.stride.word, run->words[k]);
+            assert_string_equal(last_stride_of(&at.motion).word, run->words[k]);
             if (its_crossings == 0) {
                 its_crossings = count_crossings(&at.log, run);
             }
@@ -67,11 +68,11 @@ TEST(the_native_solver_makes_each_run_word_by_word) {
             assert_close(at.motion.time, run->end_time, 1e-9);
         }
         if (run->last.period > 0.0) {
-            const tdmf_stride *stride = &at.motion.record.stride;
-            assert_close(stride->period, run->last.period, 1e-9);
-            assert_close(stride->speed, run->last.speed, 1e-9);
-            assert_close(stride->cost_of_transport, run->last.cost_of_transport, 1e-9);
-            assert_close(stride->slip_distance, run->last.slip_distance, 1e-9);
+            const tdmf_stride stride = last_stride_of(&at.motion);
+            assert_close(stride.period, run->last.period, 1e-9);
+            assert_close(stride.speed, run->last.speed, 1e-9);
+            assert_close(stride.cost_of_transport, run->last.cost_of_transport, 1e-9);
+            assert_close(stride.slip_distance, run->last.slip_distance, 1e-9);
         }
         if (run->fall_time > 0.0) {
             assert_falls(run, &at);
@@ -92,11 +93,11 @@ TEST(cvode_makes_each_run) {
             double section[TDMF_SECTION_COUNT];
             assert_int_equal(simulation_advance_by(tdmf_cvode_advance, &at, run->end_time + 1.0),
                              TDMF_ARRIVED);
-            read_apex(&at.motion.record, section);
-            assert_int_equal(at.motion.record.stride.count, run->strides);
-            assert_string_equal(at.motion.record.stride.word, run->words[run->strides - 1]);
+            read_apex(&at.motion, section);
+            assert_int_equal(at.motion.state[TDMF_STRIDE_COUNT], run->strides);
+            assert_string_equal(last_stride_of(&at.motion).word, run->words[run->strides - 1]);
             assert_all_close(section, run->end_apex, TDMF_SECTION_COUNT, 1e-8, 0.0);
-            assert_relatively_close(at.motion.record.apex.time, run->end_time, 1e-9);
+            assert_relatively_close(last_apex_of(&at.motion).time, run->end_time, 1e-9);
         }
     }
 }
@@ -272,8 +273,8 @@ TEST(a_foot_on_a_border_is_held_by_the_friction_of_the_side_it_is_pushed_to) {
         assert_int_equal(simulation_advance_by(advance, &on_border, tips_over ? 0.5 : 0.2), TDMF_ARRIVED);
         assert_int_equal(simulation_advance_by(advance, &alone, tips_over ? 0.5 : 0.2), TDMF_ARRIVED);
         assert_int_equal(on_border.motion.mode.contact, alone.motion.mode.contact);
-        assert_all_close(on_border.motion.state, alone.motion.state, TDMF_MECHANICAL_COUNT,
-                         by_cvode ? 1e-9 : 1e-11, 0.0);
+        assert_all_close(&on_border.motion.state[TDMF_FOOT_X], &alone.motion.state[TDMF_FOOT_X],
+                         TDMF_MECHANICAL_COUNT, by_cvode ? 1e-9 : 1e-11, 0.0);
         slipped += on_border.motion.mode.contact != TDMF_CONTACT_STICK;
     }
     assert_true(slipped >= 6);
@@ -301,7 +302,7 @@ static simulation slip_to_a_border(double angle, double border, bool by_cvode) {
         simulation_advance_by(by_cvode ? tdmf_cvode_advance : tdmf_native_advance, &at, slip_ends_by),
         TDMF_ARRIVED);
     assert_close(simulation_ledger_error(&at), 0.0, 1e-11);
-    assert_true(at.motion.record.event_count < 10);
+    assert_true(at.motion.state[TDMF_EVENT_COUNT] < 10);
     return at;
 }
 
@@ -316,8 +317,8 @@ TEST(a_foot_that_is_pushed_back_ends_where_it_would_without_the_border) {
             const double border = without.motion.state[TDMF_FOOT_X] + shifts[i];
             const simulation at = slip_to_a_border(-0.5, border, by_cvode);
             assert_int_equal(at.motion.mode.contact, TDMF_CONTACT_STICK);
-            assert_all_close(at.motion.state, without.motion.state, TDMF_MECHANICAL_COUNT,
-                             1e-10 + 20.0 * fmax(0.0, -shifts[i]), 0.0);
+            assert_all_close(&at.motion.state[TDMF_FOOT_X], &without.motion.state[TDMF_FOOT_X],
+                             TDMF_MECHANICAL_COUNT, 1e-10 + 20.0 * fmax(0.0, -shifts[i]), 0.0);
             ++compared;
         }
     }
@@ -370,8 +371,8 @@ TEST(a_foot_that_slips_far_beyond_a_patch_meets_no_border) {
             assert_int_equal(simulation_advance(&at, 0.5 * part), TDMF_ARRIVED);
             assert_null(simulation_event(&at, TDMF_GUARD_PATCH_BORDER));
         }
-        assert_true(at.motion.record.progress.open.touchdowns > 0);
-        assert_true(at.motion.record.event_count < 20);
+        assert_true(at.motion.state[TDMF_STRIDE_TOUCHDOWNS_SO_FAR] > 0);
+        assert_true(at.motion.state[TDMF_EVENT_COUNT] < 20);
     }
 }
 

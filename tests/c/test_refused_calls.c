@@ -134,7 +134,7 @@ TEST(solvers_refuse_null) {
     const simulation s = standing_at_apex();
     tdmf_solver solver = s.solver;
     tdmf_motion motion = s.motion;
-    tdmf_variation variation = {.liftoff_angle = 0.0};
+    tdmf_variation variation = {{0.0}};
     const tdmf_seed seed = {.inputs = {.ground = {.friction = 1.0}}};
     for (int i = 0; i < 2 * 4; ++i) {
         const tdmf_system system = {i / 2 == 1 ? NULL : &s.model, i / 2 == 2 ? NULL : &s.inputs};

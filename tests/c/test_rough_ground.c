@@ -104,11 +104,10 @@ static crowd *gather_before_high_steps(double push) {
 }
 
 static void assert_same_last_apex(const tdmf_ensemble_end *end, const tdmf_motion *motion) {
-    const tdmf_record *record = &motion->record;
-    assert_int_equal(end->word_code, record->stride.word_code);
-    assert_close(end->time, record->apex.time, 1e-6);
-    assert_close(end->apex[TDMF_SECTION_COM_HEIGHT], record->apex.com_height, 1e-8);
-    assert_close(end->apex[TDMF_SECTION_LEG_ANGLE], record->apex.leg_angle, 1e-8);
+    assert_int_equal(end->word_code, last_stride_of(motion).word_code);
+    assert_close(end->time, last_apex_of(motion).time, 1e-6);
+    assert_close(end->apex[TDMF_SECTION_COM_HEIGHT], last_apex_of(motion).com_height, 1e-8);
+    assert_close(end->apex[TDMF_SECTION_LEG_ANGLE], last_apex_of(motion).leg_angle, 1e-8);
 }
 
 /* There is no push, one that lightens the runner, or one that weighs it down. */

@@ -9,18 +9,18 @@ static const double start_time = 3.0;
 
 static void start(runner *runner) {
     runner->motion.time = start_time;
-    runner->motion.record.event_count = 99; /* left by an earlier run */
-    runner->motion.record.stride.count = 99;
+    runner->motion.state[TDMF_EVENT_COUNT] = 99; /* left by an earlier run */
+    runner->motion.state[TDMF_STRIDE_COUNT] = 99;
     assert_null(tdmf_start(SYSTEM_OF(runner), &runner->motion).variable);
     assert_true(runner->motion.mode.liftoff_angle == runner->motion.state[TDMF_LEG_ANGLE]);
-    assert_int_equal(runner->motion.record.stride.count, 0);
-    assert_string_equal(runner->motion.record.stride.word, "");
-    assert_true(runner->motion.record.last_event_time == start_time);
+    assert_int_equal(runner->motion.state[TDMF_STRIDE_COUNT], 0);
+    assert_string_equal(last_stride_of(&runner->motion).word, "");
+    assert_true(last_event_of(&runner->motion) == start_time);
 }
 
 static void assert_begins(const runner *runner, tdmf_contact_mode contact, tdmf_hip_phase phase, int events) {
     scene_assert_mode(runner, contact, phase);
-    assert_int_equal(runner->motion.record.event_count, events);
+    assert_int_equal(runner->motion.state[TDMF_EVENT_COUNT], events);
 }
 
 /* ---- on the ground ---------------------------------------------------------------------------------- */
@@ -54,8 +54,8 @@ TEST(a_start_on_the_ground_begins_as_its_foot_moves_and_is_loaded) {
         runner.motion.state[TDMF_FOOT_VX] = cases[i].vx;
         start(&runner);
         assert_begins(&runner, cases[i].contact, cases[i].phase, cases[i].events);
-        assert_int_equal(runner.motion.record.progress.open.touchdowns, cases[i].events);
-        assert_close(runner.motion.record.impact_loss, cases[i].events * 0.5 * 0.1 * 0.25, 1e-15);
+        assert_int_equal(runner.motion.state[TDMF_STRIDE_TOUCHDOWNS_SO_FAR], cases[i].events);
+        assert_close(runner.motion.state[TDMF_ENERGY_IMPACT_LOSS], cases[i].events * 0.5 * 0.1 * 0.25, 1e-15);
     }
 }
 
@@ -80,17 +80,17 @@ TEST(phase_in_the_air_follows_the_center_of_mass) {
     assert_begins(&rising, TDMF_CONTACT_FLIGHT, TDMF_PHASE_RETRACT, 0);
     assert_begins(&falling, TDMF_CONTACT_FLIGHT, TDMF_PHASE_PLACE, 0);
     assert_true(rising.motion.mode.clamp_closed);
-    assert_false(rising.motion.record.progress.open.began_at_apex ||
-                 falling.motion.record.progress.open.began_at_apex);
+    assert_false(rising.motion.state[TDMF_STRIDE_IS_OPEN] > 0.0 ||
+                 falling.motion.state[TDMF_STRIDE_IS_OPEN] > 0.0);
 }
 
 static void assert_no_second_apex(runner *runner) {
     for (int i = 0; i < 1000; ++i) {
         assert_true(runner_advance(runner, 1e-3));
     }
-    assert_int_equal(runner->motion.record.event_count, 0);
-    assert_int_equal(runner->motion.record.stride.count, 0);
-    assert_true(runner->motion.record.apex.time == start_time);
+    assert_int_equal(runner->motion.state[TDMF_EVENT_COUNT], 0);
+    assert_int_equal(runner->motion.state[TDMF_STRIDE_COUNT], 0);
+    assert_true(last_apex_of(&runner->motion).time == start_time);
 }
 
 TEST(start_at_rest_height_is_an_apex) {
@@ -99,9 +99,9 @@ TEST(start_at_rest_height_is_an_apex) {
         runner runner = scene_in_flight(TDMF_PHASE_RETRACT, climbs[i]);
         start(&runner);
         assert_begins(&runner, TDMF_CONTACT_FLIGHT, TDMF_PHASE_PLACE, 0);
-        assert_true(runner.motion.record.progress.open.began_at_apex);
-        assert_true(runner.motion.record.apex.time == start_time);
-        assert_close(runner.motion.record.apex.com_height, 1.0 + 1.0 / 1.1, 1e-15);
+        assert_true(runner.motion.state[TDMF_STRIDE_IS_OPEN] > 0.0);
+        assert_true(last_apex_of(&runner.motion).time == start_time);
+        assert_close(last_apex_of(&runner.motion).com_height, 1.0 + 1.0 / 1.1, 1e-15);
         assert_no_second_apex(&runner);
     }
 }
@@ -113,8 +113,8 @@ TEST(start_beside_the_apex_is_none) {
     start(&after);
     assert_begins(&before, TDMF_CONTACT_FLIGHT, TDMF_PHASE_RETRACT, 0);
     assert_begins(&after, TDMF_CONTACT_FLIGHT, TDMF_PHASE_PLACE, 0);
-    assert_false(before.motion.record.progress.open.began_at_apex ||
-                 after.motion.record.progress.open.began_at_apex);
+    assert_false(before.motion.state[TDMF_STRIDE_IS_OPEN] > 0.0 ||
+                 after.motion.state[TDMF_STRIDE_IS_OPEN] > 0.0);
     runner_advance(&before, 1e-3);
     assert_begins(&before, TDMF_CONTACT_FLIGHT, TDMF_PHASE_PLACE, 1);
 }
@@ -128,18 +128,15 @@ TEST(nearness_to_the_apex_scales) {
         parameters.leg.stiffness = 1e4;
         runner.model = accepted_model(&parameters);
         start(&runner);
-        assert_true(runner.motion.record.progress.open.began_at_apex == (i == 0));
+        assert_int_equal(runner.motion.state[TDMF_STRIDE_IS_OPEN], i == 0);
     }
 }
 
 TEST(default_start_is_an_apex) {
     runner runner = runner_default(0.6);
-    for (int i = TDMF_MECHANICAL_COUNT; i < TDMF_STATE_COUNT; ++i) {
-        assert_true(runner.motion.state[i] == 0.0);
-    }
     start(&runner);
     assert_begins(&runner, TDMF_CONTACT_FLIGHT, TDMF_PHASE_PLACE, 0);
-    assert_true(runner.motion.record.progress.open.began_at_apex);
+    assert_true(runner.motion.state[TDMF_STRIDE_IS_OPEN] > 0.0);
 }
 
 /* y = vy = 0, the stretched leg lifts the foot, the centre of mass stands still. */
@@ -148,16 +145,19 @@ TEST(start_on_the_ground_that_leaves_at_once_may_be_an_apex) {
     scene_set_com_vy_by_leg(&runner, 0.0);
     start(&runner);
     scene_assert_mode(&runner, TDMF_CONTACT_FLIGHT, TDMF_PHASE_PLACE);
-    assert_true(runner.motion.record.progress.open.began_at_apex);
-    assert_int_equal(runner.motion.record.event_count, 0);
+    assert_true(runner.motion.state[TDMF_STRIDE_IS_OPEN] > 0.0);
+    assert_int_equal(runner.motion.state[TDMF_EVENT_COUNT], 0);
 }
 
 TEST(start_clears_the_integrals) {
+    static const int integrals[] = {
+        TDMF_HIP_WORK,           TDMF_HIP_POSITIVE_WORK,    TDMF_LEG_WORK,
+        TDMF_ENERGY_DAMPER_LOSS, TDMF_ENERGY_FRICTION_LOSS, TDMF_ENERGY_EXTERNAL_WORK};
     runner runner = scene_in_flight(TDMF_PHASE_RETRACT, 0.1);
     runner.motion.state[TDMF_HIP_WORK] = NAN;
     runner.motion.state[TDMF_ENERGY_DAMPER_LOSS] = 1.0;
     start(&runner);
-    for (int i = TDMF_MECHANICAL_COUNT; i < TDMF_STATE_COUNT; ++i) {
-        assert_true(runner.motion.state[i] == 0.0);
+    for (size_t i = 0; i < sizeof integrals / sizeof *integrals; ++i) {
+        assert_true(runner.motion.state[integrals[i]] == 0.0);
     }
 }

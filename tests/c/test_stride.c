@@ -18,7 +18,7 @@ static void at_time(runner *runner, double time) {
 static runner begin_stride(void) {
     runner runner = scene_in_flight(TDMF_PHASE_PLACE, 0.0);
     runner_start(&runner);
-    assert_true(runner.motion.record.progress.open.began_at_apex);
+    assert_true(runner.motion.state[TDMF_STRIDE_IS_OPEN] > 0.0);
     return runner;
 }
 
@@ -92,9 +92,9 @@ static void reach_apex(runner *runner, double time) {
 }
 
 static void assert_closed(const runner *runner, const char *word, int code) {
-    assert_int_equal(runner->motion.record.stride.count, 1);
-    assert_string_equal(runner->motion.record.stride.word, word);
-    assert_int_equal(runner->motion.record.stride.word_code, code);
+    assert_int_equal(runner->motion.state[TDMF_STRIDE_COUNT], 1);
+    assert_string_equal(last_stride_of(&runner->motion).word, word);
+    assert_int_equal(last_stride_of(&runner->motion).word_code, code);
 }
 
 /* ---- words ------------------------------------------------------------------------------------------ */
@@ -154,12 +154,12 @@ TEST(words_have_a_letter_for_every_mode_that_lasts) {
             follow(&runner, cases[i].happens[k], cases[i].times[k]);
         }
         reach_apex(&runner, 8.0);
-        const tdmf_stride *stride = &runner.motion.record.stride;
+        const tdmf_stride stride = last_stride_of(&runner.motion);
         assert_closed(&runner, cases[i].word, code_of(cases[i].word));
-        assert_int_equal(stride->touchdowns, cases[i].touchdowns);
-        assert_close(stride->stance_time, cases[i].stance_time, 1e-15);
-        assert_close(stride->period, 8.0, 1e-15);
-        assert_close(stride->duty_factor, cases[i].stance_time / 8.0, 1e-15);
+        assert_int_equal(stride.touchdowns, cases[i].touchdowns);
+        assert_close(stride.stance_time, cases[i].stance_time, 1e-15);
+        assert_close(stride.period, 8.0, 1e-15);
+        assert_close(stride.duty_factor, cases[i].stance_time / 8.0, 1e-15);
     }
 }
 
@@ -183,7 +183,7 @@ TEST(long_words_have_no_code_and_the_longest_are_cut) {
         follow(&runner, '|', 1.0 + lengths[i]);
         reach_apex(&runner, 2.0 + lengths[i]);
         assert_closed(&runner, word, lengths[i] <= 15 ? code_of(word) : -1);
-        assert_close(runner.motion.record.stride.stance_time, lengths[i], 1e-12);
+        assert_close(last_stride_of(&runner.motion).stance_time, lengths[i], 1e-12);
     }
 }
 
@@ -200,7 +200,7 @@ TEST(slip_distance_adds_up_both_ways) {
     lift_off(&runner, 5.0);
     runner.motion.state[TDMF_FOOT_X] += 0.5; /* not counted, because the foot is in flight */
     reach_apex(&runner, 6.0);
-    assert_close(runner.motion.record.stride.slip_distance, 0.375, 1e-15);
+    assert_close(last_stride_of(&runner.motion).slip_distance, 0.375, 1e-15);
 }
 
 TEST(stride_begun_elsewhere_is_not_counted) {
@@ -210,14 +210,15 @@ TEST(stride_begun_elsewhere_is_not_counted) {
     lift_off(&runner, 2.0);
     reach_apex(&runner, 3.0);
     static const tdmf_stride none;
-    assert_memory_equal(&runner.motion.record.stride, &none, sizeof none);
-    assert_true(runner.motion.record.apex.time == 3.0);
+    const tdmf_stride stride = last_stride_of(&runner.motion);
+    assert_memory_equal(&stride, &none, sizeof none);
+    assert_true(last_apex_of(&runner.motion).time == 3.0);
     land(&runner, 4.0);
     slip(&runner, 5.0, 1.0);
     lift_off(&runner, 6.0);
     reach_apex(&runner, 7.0);
     assert_closed(&runner, "0+", 2 * 4 + 3);
-    assert_close(runner.motion.record.stride.period, 4.0, 1e-15);
+    assert_close(last_stride_of(&runner.motion).period, 4.0, 1e-15);
 }
 
 TEST(stride_that_covers_no_ground_has_no_cost) {
@@ -226,8 +227,9 @@ TEST(stride_that_covers_no_ground_has_no_cost) {
     runner.motion.mode.rises = true;
     reach_apex(&runner, 0.0);
     assert_closed(&runner, "", 0);
-    assert_true(runner.motion.record.stride.speed == 0.0 && runner.motion.record.stride.duty_factor == 0.0);
-    assert_true(runner.motion.record.stride.cost_of_transport == 0.0);
+    assert_true(last_stride_of(&runner.motion).speed == 0.0 &&
+                last_stride_of(&runner.motion).duty_factor == 0.0);
+    assert_true(last_stride_of(&runner.motion).cost_of_transport == 0.0);
 }
 
 /* Results of a dense sampling of one stride. */
@@ -254,9 +256,9 @@ static void sample_force(sampling *seen, const runner *runner, const tdmf_mode *
 
 static sampling sample_stride(runner *runner, double step) {
     sampling seen = {0.0, 0.0, 0.0, 0.0, {0.0}, {0.0}, {0.0}, {0.0}};
-    const int count = runner->motion.record.stride.count;
+    const double count = runner->motion.state[TDMF_STRIDE_COUNT];
     sample(&seen, runner, 0);
-    while (runner->motion.record.stride.count == count) {
+    while (runner->motion.state[TDMF_STRIDE_COUNT] == count) {
         const double time = runner->motion.time;
         const double x = runner->motion.state[TDMF_FOOT_X];
         const tdmf_mode mode = runner->motion.mode;
@@ -279,20 +281,20 @@ TEST(quantities_agree_with_a_dense_sampling) {
         runner runner = runner_default(frictions[i]);
         runner_start(&runner);
         const sampling seen = sample_stride(&runner, step);
-        const tdmf_stride *stride = &runner.motion.record.stride;
-        assert_close(stride->stance_time, seen.stance_time, 1e-11);
-        assert_close(stride->slip_distance, seen.slip_distance, 1e-11);
-        assert_true(stride->peak_force >= seen.largest_force);
-        assert_close(stride->peak_force, seen.largest_force, 10.0 * step * step);
-        assert_true(stride->peak_vertical_force == stride->peak_force);
-        assert_close(stride->period, seen.time[1] - seen.time[0], 1e-13);
-        assert_close(stride->length, seen.com_x[1] - seen.com_x[0], 1e-13);
-        assert_close(stride->speed, stride->length / stride->period, 1e-15);
-        assert_close(stride->duty_factor, stride->stance_time / stride->period, 1e-15);
-        assert_close(stride->work, seen.work[1] - seen.work[0], 1e-15);
-        assert_close(stride->positive_work, seen.positive_work[1] - seen.positive_work[0], 1e-15);
-        assert_true(stride->positive_work >= stride->work && stride->positive_work > 0.0);
-        assert_close(stride->cost_of_transport, stride->work / (1.1 * 0.01 * stride->length), 1e-15);
+        const tdmf_stride stride = last_stride_of(&runner.motion);
+        assert_close(stride.stance_time, seen.stance_time, 1e-11);
+        assert_close(stride.slip_distance, seen.slip_distance, 1e-11);
+        assert_true(stride.peak_force >= seen.largest_force);
+        assert_close(stride.peak_force, seen.largest_force, 10.0 * step * step);
+        assert_true(stride.peak_vertical_force == stride.peak_force);
+        assert_close(stride.period, seen.time[1] - seen.time[0], 1e-13);
+        assert_close(stride.length, seen.com_x[1] - seen.com_x[0], 1e-13);
+        assert_close(stride.speed, stride.length / stride.period, 1e-15);
+        assert_close(stride.duty_factor, stride.stance_time / stride.period, 1e-15);
+        assert_close(stride.work, seen.work[1] - seen.work[0], 1e-15);
+        assert_close(stride.positive_work, seen.positive_work[1] - seen.positive_work[0], 1e-15);
+        assert_true(stride.positive_work >= stride.work && stride.positive_work > 0.0);
+        assert_close(stride.cost_of_transport, stride.work / (1.1 * 0.01 * stride.length), 1e-15);
     }
 }
 
@@ -310,19 +312,19 @@ TEST(both_peaks_of_the_force_are_found_on_a_slope) {
         tdmf_motion native = runner.motion, cvode = native;
         tdmf_solver solver = tdmf_solver_default();
         const sampling seen = sample_stride(&runner, step);
-        const tdmf_stride *stride = &runner.motion.record.stride;
+        const tdmf_stride stride = last_stride_of(&runner.motion);
         assert_true(tdmf_native_stride(&solver, SYSTEM_OF(&runner), 1e3, &native).closed);
         /* two functions of one force, rounded in two ways */
-        assert_true(stride->peak_vertical_force >= seen.largest_vertical_force * (1.0 - 1e-15));
-        assert_close(stride->peak_vertical_force, seen.largest_vertical_force, 10.0 * step * step);
-        assert_close(native.record.stride.peak_vertical_force, stride->peak_vertical_force, 1e-9);
-        assert_close(native.record.stride.peak_force, stride->peak_force, 1e-9);
-        apart += fabs(stride->peak_vertical_force - stride->peak_force) > 1e-4;
+        assert_true(stride.peak_vertical_force >= seen.largest_vertical_force * (1.0 - 1e-15));
+        assert_close(stride.peak_vertical_force, seen.largest_vertical_force, 10.0 * step * step);
+        assert_close(last_stride_of(&native).peak_vertical_force, stride.peak_vertical_force, 1e-9);
+        assert_close(last_stride_of(&native).peak_force, stride.peak_force, 1e-9);
+        apart += fabs(stride.peak_vertical_force - stride.peak_force) > 1e-4;
         if (tdmf_cvode_is_available()) {
             assert_int_equal(
                 tdmf_cvode_advance(&solver, SYSTEM_OF(&runner), NULL, runner.motion.time + 1e-3, &cvode),
                 TDMF_ARRIVED);
-            assert_close(cvode.record.stride.peak_vertical_force, stride->peak_vertical_force, 1e-8);
+            assert_close(last_stride_of(&cvode).peak_vertical_force, stride.peak_vertical_force, 1e-8);
         }
     }
     assert_true(apart >= 6);
@@ -357,16 +359,16 @@ TEST(a_second_stride_counts_its_own_work_only) {
                  positive = runner.motion.state[TDMF_HIP_POSITIVE_WORK];
     const double at = tdmf_center_of_mass(&runner.model, runner.motion.state).x;
     runner_stride(&runner, 0.01);
-    const tdmf_stride *stride = &runner.motion.record.stride;
+    const tdmf_stride stride = last_stride_of(&runner.motion);
     const tdmf_outputs outputs = OUTPUTS_OF(&runner);
     assert_string_equal(outputs.stride.word, "+0-0+");
     assert_true(outputs.apex.com_height == outputs.com.y && outputs.apex.com_speed == outputs.com.vx);
     assert_true(outputs.apex.time == runner.motion.time && outputs.event.last_time == runner.motion.time);
-    assert_true(outputs.energy.impact_loss == runner.motion.record.impact_loss);
+    assert_true(outputs.energy.impact_loss == runner.motion.state[TDMF_ENERGY_IMPACT_LOSS]);
     assert_true(outputs.hip.liftoff_angle == runner.motion.mode.liftoff_angle);
-    assert_int_equal(stride->count, 2);
-    assert_close(stride->work, runner.motion.state[TDMF_HIP_WORK] - work, 1e-15);
-    assert_close(stride->positive_work, runner.motion.state[TDMF_HIP_POSITIVE_WORK] - positive, 1e-15);
-    assert_close(stride->length, tdmf_center_of_mass(&runner.model, runner.motion.state).x - at, 1e-13);
+    assert_int_equal(stride.count, 2);
+    assert_close(stride.work, runner.motion.state[TDMF_HIP_WORK] - work, 1e-15);
+    assert_close(stride.positive_work, runner.motion.state[TDMF_HIP_POSITIVE_WORK] - positive, 1e-15);
+    assert_close(stride.length, tdmf_center_of_mass(&runner.model, runner.motion.state).x - at, 1e-13);
     assert_true(positive > 0.0);
 }

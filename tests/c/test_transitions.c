@@ -1,4 +1,4 @@
-/* Resets: what one event, and a chain of events in zero time, make of state, mode and record. */
+/* Resets: what one event, and a chain of events in zero time, make of state and mode. */
 #include "compare.h"
 #include "scene.h"
 #include "simulation.h"
@@ -24,8 +24,8 @@ enum {
 static tdmf_resolution resolve(runner *runner, int events) {
     runner->motion.time = 7.0;
     const tdmf_resolution resolution = scene_resolve(runner);
-    assert_int_equal(runner->motion.record.event_count, events);
-    assert_true(runner->motion.record.last_event_time == (events > 0 ? 7.0 : 0.0));
+    assert_int_equal(runner->motion.state[TDMF_EVENT_COUNT], events);
+    assert_true(last_event_of(&runner->motion) == (events > 0 ? 7.0 : 0.0));
     return resolution;
 }
 
@@ -41,8 +41,8 @@ static tdmf_resolution enter(runner *runner, int events, int contact, int phase)
 static void touch_down(runner *runner, int contact, int phase) {
     const tdmf_resolution resolution = enter(runner, 1, contact, phase);
     assert_true(resolution.state_changed && resolution.mode_changed);
-    assert_int_equal(runner->motion.record.progress.open.touchdowns, 1);
-    assert_true(runner->motion.record.impact_loss > 0.0);
+    assert_int_equal(runner->motion.state[TDMF_STRIDE_TOUCHDOWNS_SO_FAR], 1);
+    assert_true(runner->motion.state[TDMF_ENERGY_IMPACT_LOSS] > 0.0);
     assert_true(runner->motion.state[TDMF_FOOT_Y] == 0.0 && runner->motion.state[TDMF_FOOT_VY] == 0.0);
 }
 
@@ -130,7 +130,7 @@ TEST(upright_foot_flies_where_it_is_pulled_up_and_stays_without_load_at_rest) {
     runner_start(&pulled);
     runner_start(&resting);
     assert_int_equal(pulled.motion.mode.contact, TDMF_CONTACT_FLIGHT);
-    assert_int_equal(pulled.motion.record.event_count, 0); /* it was never loaded */
+    assert_int_equal(pulled.motion.state[TDMF_EVENT_COUNT], 0); /* it was never loaded */
     assert_true(tdmf_is_loaded(&resting.motion.mode));
 }
 
@@ -168,9 +168,10 @@ TEST(sunken_foot_that_rises_is_lifted) {
     scene_set_foot_velocity(0.0, 0.0, resting.motion.state);
     enter(&rising, 0, FLIGHT, RETRACT);
     enter(&resting, 1, STICK, COAST);
-    assert_int_equal(rising.motion.record.progress.open.touchdowns, 0);
+    assert_int_equal(rising.motion.state[TDMF_STRIDE_TOUCHDOWNS_SO_FAR], 0);
     assert_true(rising.motion.state[TDMF_FOOT_Y] == 0.0);
-    assert_true(resting.motion.state[TDMF_FOOT_Y] == 0.0 && resting.motion.record.impact_loss == 0.0);
+    assert_true(resting.motion.state[TDMF_FOOT_Y] == 0.0 &&
+                resting.motion.state[TDMF_ENERGY_IMPACT_LOSS] == 0.0);
 }
 
 /* The impact's impulse is inside the cone, the force after it is not. */
@@ -183,7 +184,7 @@ TEST(sticking_impact_that_slips_at_once) {
     enter(&ahead, 1, FORWARD, DRIVE);
     assert_true(behind.motion.state[TDMF_FOOT_VX] == 0.0 && ahead.motion.state[TDMF_FOOT_VX] == 0.0);
     /* no letter for a stick that did not last */
-    assert_string_equal(behind.motion.record.progress.open.word, "");
+    assert_true(behind.motion.state[TDMF_STRIDE_WORD_SO_FAR] == 0.0);
 }
 
 /* A stretched leg lifts the foot as soon as it has landed. In place the impact throws the centre of mass up
@@ -195,8 +196,8 @@ TEST(impact_that_leaves_at_once_stays_in_its_phase) {
         runner.motion.state[TDMF_LEG_LENGTH_RATE] += phase == PLACE ? 0.005 : 0.1;
         const double before = tdmf_center_of_mass(&runner.model, runner.motion.state).vy;
         enter(&runner, 1, FLIGHT, phase);
-        assert_int_equal(runner.motion.record.progress.open.touchdowns, 1);
-        assert_string_equal(runner.motion.record.progress.open.word, "");
+        assert_int_equal(runner.motion.state[TDMF_STRIDE_TOUCHDOWNS_SO_FAR], 1);
+        assert_true(runner.motion.state[TDMF_STRIDE_WORD_SO_FAR] == 0.0);
         assert_true(runner.motion.mode.liftoff_angle == -0.3);
         assert_close(runner.motion.state[TDMF_FOOT_VY], 0.0, 1e-15);
         if (phase == PLACE) {
@@ -204,12 +205,12 @@ TEST(impact_that_leaves_at_once_stays_in_its_phase) {
             assert_true(runner.motion.mode.rises);
             while (runner.motion.time < 8.0 && runner.motion.mode.contact == TDMF_CONTACT_FLIGHT) {
                 runner_advance(&runner, 1e-3);
-                assert_true(runner.motion.record.progress.open.began_at_apex == !runner.motion.mode.rises);
+                assert_int_equal(runner.motion.state[TDMF_STRIDE_IS_OPEN], !runner.motion.mode.rises);
                 assert_true(runner.motion.mode.contact != TDMF_CONTACT_FLIGHT ||
                             runner.motion.mode.phase == TDMF_PHASE_PLACE);
             }
-            assert_true(runner.motion.record.progress.open.began_at_apex);
-            assert_int_equal(runner.motion.record.stride.count, 0);
+            assert_true(runner.motion.state[TDMF_STRIDE_IS_OPEN] > 0.0);
+            assert_int_equal(runner.motion.state[TDMF_STRIDE_COUNT], 0);
         }
     }
 }
@@ -229,8 +230,8 @@ TEST(touchdown_at_the_apex) {
     const double climb = tdmf_center_of_mass(&runner.model, runner.motion.state).vy;
     runner.motion.state[TDMF_LEG_LENGTH_RATE] += (beyond - climb) * 1.1 / cos(0.4);
     enter(&runner, 1, STICK, DRIVE);
-    assert_true(runner.motion.record.progress.open.began_at_apex);
-    assert_int_equal(runner.motion.record.progress.open.touchdowns, 1);
+    assert_true(runner.motion.state[TDMF_STRIDE_IS_OPEN] > 0.0);
+    assert_int_equal(runner.motion.state[TDMF_STRIDE_TOUCHDOWNS_SO_FAR], 1);
 }
 
 /* ---- apex and clamp --------------------------------------------------------------------------------- */
@@ -248,12 +249,12 @@ TEST(apex_begins_place_and_latches_the_section) {
     const double expected[TDMF_SECTION_COUNT] = {
         1.0 + cos(0.6) / 1.1, 0.5 + (0.125 * sin(0.6) - 0.25 * cos(0.6)) / 1.1, 1.0, -0.6, 0.125, 0.25};
     double section[TDMF_SECTION_COUNT];
-    read_apex(&runner.motion.record, section);
+    read_apex(&runner.motion, section);
     for (int i = 0; i < TDMF_SECTION_COUNT; ++i) {
         assert_close(section[i], expected[i], i < 2 ? 1e-15 : 0.0);
     }
-    assert_true(runner.motion.record.apex.time == 7.0);
-    assert_int_equal(runner.motion.record.stride.count, 0);
+    assert_true(last_apex_of(&runner.motion).time == 7.0);
+    assert_int_equal(runner.motion.state[TDMF_STRIDE_COUNT], 0);
 }
 
 /* It opens and closes uncounted; inside the dead band either position stands. */
@@ -345,7 +346,7 @@ TEST(slips_begin_end_reverse_and_go_on_by_the_cone) {
                  {FORWARD, 0.5, 0.1, 1, FORWARD}};
     for (size_t i = 0; i < COUNT_OF(cases); ++i) {
         runner runner = loaded_foot(cases[i].before, cases[i].angle, cases[i].friction);
-        runner.motion.record.progress.open.contact_start.time = 1.0;
+        runner.motion.state[TDMF_STRIDE_MODE_BEGAN] = 1.0;
         const tdmf_resolution resolution = enter(&runner, cases[i].events, cases[i].after, COAST);
         assert_true(resolution.mode_changed == (cases[i].before != cases[i].after));
         assert_true(resolution.state_changed == (cases[i].before != STICK));
@@ -403,7 +404,7 @@ TEST(mid_stance_ends_the_drive_for_good) {
         runner.motion.state[TDMF_LEG_ANGLE] = angle;
         assert_false(scene_resolve(&runner).mode_changed);
     }
-    assert_int_equal(runner.motion.record.event_count, 1);
+    assert_int_equal(runner.motion.state[TDMF_EVENT_COUNT], 1);
     assert_true(OUTPUTS_OF(&runner).hip.torque == 0.0);
 }
 
@@ -426,7 +427,7 @@ TEST(force_peak_is_noted_uncounted) {
     const tdmf_resolution resolution = resolve(&runner, 0);
     assert_false(resolution.mode_changed || resolution.state_changed);
     assert_false(runner.motion.mode.ground_force_rising);
-    assert_close(runner.motion.record.progress.open.peak_force, 0.3, 1e-15);
+    assert_close(runner.motion.state[TDMF_STRIDE_PEAK_FORCE_SO_FAR], 0.3, 1e-15);
 }
 
 /* ---- graze ------------------------------------------------------------------------------------------ */
@@ -469,14 +470,14 @@ TEST(graze_to_flight_keeps_the_angle_of_lift_off) {
 /* The phase follows the centre of mass, but a stride closes in flight only. */
 TEST(apex_in_graze_closes_no_stride) {
     runner runner = grazing(-1e-3, 0.1);
-    runner.motion.record.progress.open.began_at_apex = true;
+    runner.motion.state[TDMF_STRIDE_IS_OPEN] = 1.0;
     runner.motion.mode.clamp_closed = true;
     scene_set_com_vy_by_leg(&runner, beyond);
     scene_set_vertical_force(&runner, -1e-3);
     enter(&runner, 1, GRAZE, PLACE);
-    assert_int_equal(runner.motion.record.stride.count, 0);
-    assert_true(runner.motion.record.apex.time == 0.0);
-    assert_true(runner.motion.record.progress.open.began_at_apex);
+    assert_int_equal(runner.motion.state[TDMF_STRIDE_COUNT], 0);
+    assert_true(last_apex_of(&runner.motion).time == 0.0);
+    assert_true(runner.motion.state[TDMF_STRIDE_IS_OPEN] > 0.0);
 }
 
 /* ---- jumps of an input ------------------------------------------------------------------------------ */
@@ -503,12 +504,12 @@ TEST(jumps_of_torque_and_friction_end_a_stance_or_start_a_slip) {
                  {1e3, -4.0, -0.5, 1e3, GRAZE, RETRACT},  {0.4, 0.1, -0.5, 0.0, FLIGHT, RETRACT}};
     for (size_t i = 0; i < COUNT_OF(cases); ++i) {
         runner runner = standing(cases[i].before, cases[i].angle_rate);
-        runner.motion.record.progress.open.contact_start.time = 1.0;
+        runner.motion.state[TDMF_STRIDE_MODE_BEGAN] = 1.0;
         runner.inputs.hip.external_torque = cases[i].torque;
         runner.inputs.ground.friction = cases[i].friction;
         enter(&runner, 1, cases[i].contact, cases[i].phase);
         assert_true(runner.motion.mode.clamp_closed == (cases[i].contact == FLIGHT));
-        assert_string_equal(runner.motion.record.progress.open.word, "0");
+        assert_string_equal(OUTPUTS_OF(&runner).open_word, "0");
     }
 }
 
@@ -523,7 +524,7 @@ TEST(jumps_end_a_graze_and_cause_nothing_in_flight) {
     graze.inputs.ground.friction = 0.1;
     enter(&graze, 1, FORWARD, COAST);
     assert_true(graze.motion.state[TDMF_FOOT_VX] == 0.0);
-    assert_string_equal(graze.motion.record.progress.open.word, "");
+    assert_true(graze.motion.state[TDMF_STRIDE_WORD_SO_FAR] == 0.0);
     runner flight = scene_in_flight(TDMF_PHASE_PLACE, -0.1);
     flight.inputs.hip.external_torque = 0.7;
     flight.inputs.ground.friction = 0.0;
@@ -544,7 +545,7 @@ TEST(body_at_the_ground_and_short_leg_are_falls) {
         const tdmf_resolution resolution = resolve(&falls[i], 0);
         assert_true(resolution.mode_changed && !resolution.state_changed);
         assert_true(falls[i].motion.mode.fallen);
-        assert_memory_equal(before.motion.state, falls[i].motion.state, sizeof before.motion.state);
+        assert_same_state(&falls[i].motion, &before.motion, 0.0);
         assert_false(scene_resolve(&falls[i]).mode_changed);
     }
 }
@@ -567,13 +568,13 @@ TEST(resolving_with_nothing_due_changes_nothing) {
                         scene_on_ground(TDMF_CONTACT_SLIP_NEGATIVE, 0.3, 0.1),
                         grazing(-1e-3, 0.1)};
     for (size_t i = 0; i < COUNT_OF(at_rest); ++i) {
-        scene_snapshot before;
         resolve(&at_rest[i], 0); /* notes the ground force */
-        scene_take_snapshot(&at_rest[i], &before);
+        const tdmf_motion before = at_rest[i].motion;
         at_rest[i].motion.time = 8.0;
         const tdmf_resolution resolution = scene_resolve(&at_rest[i]);
         assert_false(resolution.state_changed || resolution.mode_changed);
-        scene_assert_unchanged(&at_rest[i], &before);
+        assert_same_state(&at_rest[i].motion, &before, 0.0);
+        assert_memory_equal(&at_rest[i].motion.mode, &before.mode, sizeof before.mode);
     }
 }
 
@@ -593,7 +594,7 @@ TEST(upright_foot_on_ice_stands) {
         assert_true(runner_advance(&runner, 1e-3));
     }
     scene_assert_mode(&runner, TDMF_CONTACT_STICK, TDMF_PHASE_DRIVE);
-    assert_int_equal(runner.motion.record.event_count, 0);
+    assert_int_equal(runner.motion.state[TDMF_EVENT_COUNT], 0);
     assert_true(runner.motion.state[TDMF_LEG_ANGLE] == 0.0 && runner.motion.state[TDMF_FOOT_VX] == 0.0);
 }
 

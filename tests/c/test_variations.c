@@ -49,7 +49,7 @@ static void assert_row_varies(const line *line, row (*of)(const runner *at), con
         const double numerical = (double)derivative_at_zero(value_on_line, &on, (long double)LINE_STEP);
         const double there = (double)value_on_line((long double)LINE_STEP, &on);
         /* A foot that lands and leaves at once is rounded by the sizes of the leg and of its velocity. */
-        const double rounding = i < TDMF_MECHANICAL_COUNT ? factor_of_element(&units, i) : 0.0;
+        const double rounding = i < TDMF_MECHANICAL_COUNT ? factor_of_element(&units, TDMF_FOOT_X + i) : 0.0;
         const double size = fmax(fmax(fabs(here.values[i]), fabs(there)), rounding);
         assert_close(numerical, exact->values[i], 1e-9 * fabs(exact->values[i]) + 1e-11 / LINE_STEP * size);
     }
@@ -70,7 +70,7 @@ static bool is_smooth_impact(const runner *at) {
 static row started(const double *state, double liftoff_angle) {
     row row = {0};
     for (int i = 0; i < TDMF_MECHANICAL_COUNT; ++i) {
-        append(&row, state[i]);
+        append(&row, state[TDMF_FOOT_X + i]);
     }
     append(&row, liftoff_angle);
     append(&row, state[TDMF_LEG_WORK]);
@@ -102,7 +102,7 @@ static void assert_start_varies(const line *line) {
     const runner *given = line->runner;
     tdmf_variation varied;
     tdmf_vary_start(SYSTEM_OF(given), given->motion.state, &line->seed, line->variation.state, &varied);
-    const row exact = started(varied.state, varied.liftoff_angle);
+    const row exact = started(varied.state, varied.state[TDMF_HIP_LIFTOFF_ANGLE]);
     assert_row_varies(line, start_of, &exact);
 }
 

@@ -44,8 +44,9 @@ TEST(without_a_hip_turns_do_not_matter) {
         }
         assert_int_equal(simulation_advance(&wound, 2.0), TDMF_ARRIVED);
         wound.motion.state[TDMF_LEG_ANGLE] -= turns * turn;
-        assert_all_close(wound.motion.state, plain.motion.state, TDMF_MECHANICAL_COUNT, 1e-9, 0.0);
-        events += plain.motion.record.event_count;
+        assert_all_close(&wound.motion.state[TDMF_FOOT_X], &plain.motion.state[TDMF_FOOT_X],
+                         TDMF_MECHANICAL_COUNT, 1e-9, 0.0);
+        events += (int)plain.motion.state[TDMF_EVENT_COUNT];
         ++compared;
     }
     assert_true(compared > 2 * RUNS / 3 && events > compared);

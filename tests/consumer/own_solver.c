@@ -55,6 +55,7 @@ static void advance(run *r, double step) {
 int main(void) {
     run r = {.inputs = tdmf_default_inputs()};
     tdmf_parameters parameters = tdmf_default_parameters();
+    tdmf_outputs now;
     tdmf_default_state(r.motion.state);
     tdmf_refusal refusal = tdmf_model_create(&r.model, &parameters);
     if (refusal.variable == NULL)
@@ -64,10 +65,10 @@ int main(void) {
         fprintf(stderr, "%s\n", tdmf_refusal_text(&refusal, text, sizeof text));
         return 1;
     }
-    const tdmf_stride *stride = &r.motion.record.stride;
-    while (stride->count < 10 && !r.motion.mode.fallen)
+    while (r.motion.state[TDMF_STRIDE_COUNT] < 10.0 && !r.motion.mode.fallen)
         advance(&r, 0.002);
-    printf("%d strides, the last %s at speed %.6f, t = %.6f\n", stride->count, stride->word, stride->speed,
-           r.motion.time);
+    tdmf_outputs_of(system_of(&r), &r.motion, &now);
+    printf("%d strides, the last %s at speed %.6f, t = %.6f\n", now.stride.count, now.stride.word,
+           now.stride.speed, r.motion.time);
     return 0;
 }

@@ -6,6 +6,7 @@ int main(void) {
     tdmf_inputs inputs = tdmf_default_inputs();
     tdmf_solver solver = tdmf_solver_default();
     tdmf_motion motion = {.time = 0.0};
+    tdmf_outputs now;
     tdmf_model model;
     const tdmf_system system = {&model, &inputs};
 
@@ -16,10 +17,11 @@ int main(void) {
         tdmf_start(system, &motion).variable != NULL)
         return 1; /* tdmf_refusal_text describes what is out of range */
 
-    const tdmf_stride *stride = &motion.record.stride; /* the last completed stride */
-    while (stride->count < 300 && tdmf_native_stride(&solver, system, 1e5, &motion).closed)
+    while (motion.state[TDMF_STRIDE_COUNT] < 300.0 &&
+           tdmf_native_stride(&solver, system, 1e5, &motion).closed)
         continue;
-    printf("%s, speed %.6f, cost of transport %.6f\n", stride->word, stride->speed,
-           stride->cost_of_transport);
+    tdmf_outputs_of(system, &motion, &now); /* among them the last completed stride */
+    printf("%s, speed %.6f, cost of transport %.6f\n", now.stride.word, now.stride.speed,
+           now.stride.cost_of_transport);
     return 0;
 }

@@ -8,7 +8,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-enum { STATES = TDMF_STATE_COUNT, INDICATORS = TDMF_GUARD_COUNT };
+enum { STATES = 15, INDICATORS = TDMF_GUARD_COUNT };
 
 typedef struct {
     void *(*make)(bool model_exchange, const char *guid); /* through initialization */

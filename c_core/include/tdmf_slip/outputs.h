@@ -58,8 +58,10 @@ typedef struct {
     struct {
         bool fallen; /* true from a fall on */
     } status;
-    tdmf_stride stride; /* the last completed stride */
-    tdmf_apex apex;     /* the last apex */
+    tdmf_stride stride;                 /* the last completed stride */
+    tdmf_apex apex;                     /* the last apex */
+    char open_word[TDMF_WORD_CAPACITY]; /* gait word of the stride under way; a contact joins it when it ends
+                                         */
 } tdmf_outputs;
 
 /* Writes the outputs of a motion that tdmf_start has begun.

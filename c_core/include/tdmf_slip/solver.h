@@ -103,7 +103,7 @@ TDMF_API tdmf_outcome tdmf_native_advance(tdmf_solver *solver, tdmf_system syste
 /* Outcome of the integration of a stride. */
 typedef struct {
     tdmf_outcome outcome; /* TDMF_ARRIVED: the run stands at `until`, or where the stride closed */
-    bool closed;          /* the stride has closed; motion->record.stride has its quantities */
+    bool closed;          /* the stride has closed; tdmf_outputs_of has its quantities */
 } tdmf_stride_outcome;
 
 /* Integrates until one more stride has closed, but not beyond the time `until`. Inputs are held. */

@@ -11,9 +11,8 @@
 extern "C" {
 #endif
 
-/* Numbers of elements of the state: of the mechanical ones, which come first, and of those that are
- * differentiated. */
-enum { TDMF_MECHANICAL_COUNT = TDMF_HIP_WORK, TDMF_VARIED_COUNT = TDMF_LEG_WORK + 1 };
+/* Number of the mechanical states, from TDMF_FOOT_X on. */
+enum { TDMF_MECHANICAL_COUNT = TDMF_LEG_ANGLE_RATE + 1 - TDMF_FOOT_X };
 
 /* Contact mode of the foot; the numbers are those of `contact.mode` in the unit. */
 typedef enum {
@@ -67,7 +66,7 @@ typedef struct {
 /* Returns the line y = height + x tan(slope); height in m, slope in rad. */
 TDMF_API tdmf_ground_line tdmf_ground_line_of(double height, double slope);
 
-/* Writes the apex of the default parameters' periodic gait at friction 0.6, with integrals of zero. */
+/* Writes the apex of the default parameters' periodic gait at friction 0.6; other states are zero. */
 TDMF_API void tdmf_default_state(double state[TDMF_STATE_COUNT]);
 
 #ifdef __cplusplus

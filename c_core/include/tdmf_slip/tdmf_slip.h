@@ -13,7 +13,6 @@
 #include "tdmf_slip/outputs.h"
 #include "tdmf_slip/page.h"
 #include "tdmf_slip/parameters.h"
-#include "tdmf_slip/record.h"
 #include "tdmf_slip/refusal.h"
 #include "tdmf_slip/return_map.h"
 #include "tdmf_slip/solver.h"

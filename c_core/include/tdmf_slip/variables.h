@@ -74,26 +74,117 @@ typedef struct {
  * settings: inputs and tunable parameters. */
 enum { TDMF_PARAMETER_COUNT = 19, TDMF_INPUT_COUNT = 10, TDMF_SETTING_LIMIT = 17 };
 
-/* Indices into a state vector of TDMF_STATE_COUNT doubles. The first eight are q and its rate, in the order
- * of the paper's q = (x, y, r, theta); the rest are integrals along the run and a clock. The leg's angle is
- * never wrapped: the hip unwinds a leg that has wound. After a thousand turns an angle is known to 1e-12,
- * and so is all that follows from it. */
+/* Indices of the states of a run, which are those of its page. TDMF_FOOT_X and the next seven are q and its
+ * rate, in the order of the paper's q = (x, y, r, theta). Other states are integrals along the run, its last
+ * stride and apex, and its memory. Times among the states are those of the run's own clock, TDMF_STRIDE_TIME,
+ * which a solver may set anew. The leg's angle is never wrapped: the hip unwinds a leg that has wound. After
+ * a thousand turns an angle is known to 1e-12, and so is all that follows from it. */
 enum {
-    TDMF_FOOT_X,          /* Horizontal position of the foot, x, m */
-    TDMF_FOOT_Y,          /* Height of the foot, y, m */
-    TDMF_LEG_LENGTH,      /* Length of the leg, r, m */
+    TDMF_STRIDE_TIME,                   /* Time, s */
+    TDMF_EVENT_COUNT,                   /* Changes of contact and phase since the start */
+    TDMF_EVENT_LAST_TIME,               /* Time of the last change of contact or phase, s */
+    TDMF_STRIDE_GREATEST_SLIP_VELOCITY, /* Largest slip velocity since the start, m/s */
+    TDMF_STRIDE_GREATEST_FOOT_HEIGHT,   /* Largest height of the foot above the ground, in flight, since the
+                                           start, m */
+    TDMF_STRIDE_SQUARED_TORQUE,         /* Integral of the squared hip torque since the start, N2.m2.s */
+    TDMF_STRIDE_IS_OPEN,                /* 1 if the open stride began at an apex, else 0 */
+    TDMF_STRIDE_WORK_THEN,              /* Work of the hip at the start of the stride, J */
+    TDMF_STRIDE_LEG_WORK_THEN,          /* Work of the leg at the start of the stride, J */
+    TDMF_HIP_POSITIVE_WORK,             /* Positive work of the hip since the start, J */
+    TDMF_STRIDE_POSITIVE_WORK_THEN,     /* Positive work of the hip at the start of the stride, J */
+    TDMF_STRIDE_PEAK_FORCE_SO_FAR,      /* Largest normal force in the open stride, N */
+    TDMF_STRIDE_VERTICAL_SO_FAR,        /* Largest vertical ground force in the open stride, N */
+    TDMF_STRIDE_TOUCHDOWNS_SO_FAR,      /* Impacts in the open stride */
+    TDMF_STRIDE_SLIP_SO_FAR,            /* Slip distance in the open stride before the present mode, m */
+    TDMF_STRIDE_SLID_FROM,              /* Position of the foot at the last event, m */
+    TDMF_STRIDE_STANCE_SO_FAR,          /* Time in contact in the open stride before the present mode, s */
+    TDMF_STRIDE_WORD_SO_FAR,            /* Gait word of the open stride, in base 4 */
+    TDMF_STRIDE_LAST_LETTER,            /* Last letter of the open stride's gait word */
+    TDMF_STRIDE_BAR_IS_DUE,             /* 1 from touchdown until a contact mode lasts, else 0 */
+    TDMF_STRIDE_MODE_BEGAN,             /* Time of the last event, s */
+    TDMF_STRIDE_X_THEN,                 /* Position of the centre of mass at the start of the stride, m */
+    TDMF_STRIDE_Y_THEN,                 /* Height of the centre of mass at the start of the stride, m */
+    TDMF_STRIDE_COUNT,                  /* Number of completed strides */
+    TDMF_STRIDE_WORD,                /* Gait word: + slip forward, 0 stick, - slip backward, | new stance */
+    TDMF_STRIDE_PERIOD,              /* Period of the stride, T, s */
+    TDMF_STRIDE_LENGTH,              /* Distance covered by the centre of mass in the stride, m */
+    TDMF_STRIDE_RISE,                /* Height gained by the centre of mass in the stride, m */
+    TDMF_STRIDE_WORK,                /* Net work of hip and leg in the stride, W, J */
+    TDMF_STRIDE_HIP_WORK,            /* Net work of the hip in the stride, J */
+    TDMF_STRIDE_LEG_WORK,            /* Net work of thrust and leg extension in the stride, J */
+    TDMF_STRIDE_POSITIVE_WORK,       /* Positive work of the hip in the stride, J */
+    TDMF_STRIDE_SPEED,               /* Average speed of the stride, V, m/s */
+    TDMF_STRIDE_COST_OF_TRANSPORT,   /* Mechanical cost of transport of the stride, c_mt */
+    TDMF_STRIDE_TOUCHDOWNS,          /* Impacts of the foot in the stride */
+    TDMF_STRIDE_STANCE_TIME,         /* Time in contact in the stride, s */
+    TDMF_STRIDE_DUTY_FACTOR,         /* Share of the stride in which the foot was in contact */
+    TDMF_STRIDE_SLIP_DISTANCE,       /* Slip distance of the foot in the stride, m */
+    TDMF_STRIDE_PEAK_FORCE,          /* Largest normal force in the stride, N */
+    TDMF_STRIDE_PEAK_VERTICAL_FORCE, /* Largest vertical ground force in the stride, N */
+    TDMF_APEX_TIME,                  /* Time of the last apex, s */
+    TDMF_APEX_COM_HEIGHT,            /* Height of the centre of mass at the last apex, m */
+    TDMF_APEX_COM_SPEED,             /* Speed of the centre of mass at the last apex, m/s */
+    TDMF_APEX_LEG_LENGTH,            /* Leg length at the last apex, m */
+    TDMF_APEX_LEG_ANGLE,             /* Leg angle at the last apex, rad */
+    TDMF_APEX_LEG_LENGTH_RATE,       /* Rate of the leg length at the last apex, m/s */
+    TDMF_APEX_LEG_ANGLE_RATE,        /* Rate of the leg angle at the last apex, rad/s */
+    TDMF_GROUND_HEIGHT,              /* Height at x = 0 of the ground line in force, m */
+    TDMF_GROUND_SLOPE,               /* Slope of the ground line in force, rad */
+    TDMF_GROUND_SEGMENT,             /* Segment of the ground below the foot; a run starts before the first */
+    TDMF_GROUND_SEGMENT_BEGIN,       /* Position where the segment begins, m */
+    TDMF_GROUND_SEGMENT_END,         /* Position where the segment ends, m */
+    TDMF_GROUND_SEGMENT_HEIGHT,      /* Height of the segment's line at x = 0, above ground.height, m */
+    TDMF_GROUND_SEGMENT_SLOPE,       /* Slope of the segment's line, added to ground.slope, rad */
+    TDMF_GROUND_FRICTION_AHEAD,      /* Friction that the foot would slip into, forward; see ground_segment */
+    TDMF_GROUND_FRICTION_BEHIND,     /* Friction that the foot would slip into, backward */
+    TDMF_LEG_EXTENSION,              /* Change of the rest length of the leg, m */
+    TDMF_BODY_EXTERNAL_FX,           /* Horizontal external force on the body, N */
+    TDMF_BODY_EXTERNAL_FY,           /* Vertical external force on the body, N */
+    TDMF_FOOT_X,                     /* Horizontal position of the foot, x, m */
+    TDMF_FOOT_Y,                     /* Height of the foot, y, m */
+    TDMF_LEG_LENGTH,                 /* Length of the leg, r, m */
     TDMF_LEG_ANGLE,       /* Angle of the leg from the vertical, positive with the foot ahead, theta, rad */
     TDMF_FOOT_VX,         /* Horizontal velocity of the foot, m/s */
     TDMF_FOOT_VY,         /* Vertical velocity of the foot, m/s */
     TDMF_LEG_LENGTH_RATE, /* Rate of the leg length, m/s */
     TDMF_LEG_ANGLE_RATE,  /* Rate of the leg angle, rad/s */
-    TDMF_HIP_WORK,        /* Work of the total hip torque since the start, W, J */
-    TDMF_HIP_PLACE_TIME,  /* Time since the phase place began; 0 in other phases, s */
+    TDMF_LEG_COM_X,       /* Horizontal position of the centre of mass, m */
+    TDMF_LEG_COM_Y,       /* Height of the centre of mass, m */
+    TDMF_LEG_COM_VX,      /* Horizontal velocity of the centre of mass, m/s */
+    TDMF_LEG_COM_VY,      /* Vertical velocity of the centre of mass, m/s */
+    TDMF_LEG_MOMENTUM,    /* Angular momentum of the leg per reduced mass, r^2 thetadot, m2/s */
+    TDMF_LEG_X,           /* Position of the body relative to the foot, along the ground, m */
+    TDMF_LEG_Y,           /* Position of the body relative to the foot, normal to the ground, m */
+    TDMF_LEG_VX,          /* Velocity of the body relative to the foot, along the ground, m/s */
+    TDMF_LEG_VY,          /* Velocity of the body relative to the foot, normal to the ground, m/s */
+    TDMF_LEG_FOOT_X,      /* Position of the foot along the ground, m */
+    TDMF_LEG_FOOT_VX,     /* Velocity of the foot along the ground, m/s */
+    TDMF_LEG_WINDING,     /* Leg angle less its principal value: a multiple of 2 pi, rad */
+    TDMF_LEG_THRUSTING,   /* 1 from greatest compression to lift-off, else 0 */
     TDMF_LEG_WORK,        /* Work of thrust and leg extension since the start, J */
-    TDMF_ENERGY_DAMPER_LOSS,   /* Energy lost in the damper since the start, J */
-    TDMF_ENERGY_FRICTION_LOSS, /* Energy lost to sliding friction since the start, J */
-    TDMF_HIP_POSITIVE_WORK,    /* Positive work of the hip since the start, J */
-    TDMF_ENERGY_EXTERNAL_WORK, /* Work of external forces on the body since the start, J */
+    TDMF_LEG_POSITIVE_LEG_WORK,    /* Positive works of jumps of the rest length since the start, J */
+    TDMF_ENERGY_EXTERNAL_WORK,     /* Work of external forces on the body since the start, J */
+    TDMF_ENERGY_DAMPER_LOSS,       /* Energy lost in the damper since the start, J */
+    TDMF_LEG_EXTENSION_RATE,       /* Rate at which `extension` is ramped, m/s */
+    TDMF_LEG_EXTERNAL_FX_RATE,     /* Rate at which `external_fx` is ramped, N/s */
+    TDMF_LEG_EXTERNAL_FY_RATE,     /* Rate at which `external_fy` is ramped, N/s */
+    TDMF_GROUND_FRICTION,          /* Friction coefficient between foot and ground, mu */
+    TDMF_GROUND_WAY,               /* Direction of slip, 1 or -1 */
+    TDMF_ENERGY_FRICTION_LOSS,     /* Energy lost to sliding friction since the start, J */
+    TDMF_ENERGY_IMPACT_LOSS,       /* Energy lost in impacts since the start, J */
+    TDMF_GROUND_FRICTION_RATE,     /* Rate at which `friction` is ramped, 1/s */
+    TDMF_HIP_EXTERNAL_TORQUE,      /* Torque added to the hip law, N.m */
+    TDMF_HIP_LIFTOFF_ANGLE,        /* Leg angle when the foot last left the ground, theta_LO, rad */
+    TDMF_HIP_DRIVING,              /* 1 from touchdown to mid-stance, else 0 */
+    TDMF_HIP_SWING,                /* Law of the hip in flight: 0 rest, 1 retract, 2 place */
+    TDMF_HIP_PLACE_TIME,           /* Time since the phase place began; 0 in other phases, s */
+    TDMF_HIP_TOUCHDOWN_TIME,       /* Time of the last impact, s */
+    TDMF_HIP_WAS_PLACED,           /* 1 if the leg was being placed at the last impact, else 0 */
+    TDMF_HIP_PLACED_FOR,           /* Time in place at the last impact, s */
+    TDMF_HIP_RISES_AGAIN,          /* 1 if an impact with immediate lift-off interrupted place, else 0 */
+    TDMF_HIP_WORK,                 /* Work of the total hip torque since the start, W, J */
+    TDMF_HIP_EXTERNAL_TORQUE_RATE, /* Rate at which `external_torque` is ramped, N.m/s */
+    TDMF_STATUS_FALLEN,            /* True after a fall, which freezes the motion */
     TDMF_STATE_COUNT
 };
 

@@ -19,20 +19,10 @@ typedef struct {
     tdmf_inputs inputs;         /* and of each input */
 } tdmf_seed;
 
-/* Change of the stance's quantities, by their names in tdmf_stride. */
+/* Change of the states of a run at a fixed time, per unit of a direction. Peaks and positive parts change
+ * where they are observed. */
 typedef struct {
-    double stance_time;         /* s */
-    double slip_distance;       /* m */
-    double peak_force;          /* N */
-    double peak_vertical_force; /* N */
-} tdmf_stance_variation;
-
-/* Change of a motion at a fixed time, per unit of a direction. Of the integrals only the works of hip and leg
- * are differentiated; the others stay 0. */
-typedef struct {
-    double state[TDMF_STATE_COUNT]; /* change of each element of the state */
-    double liftoff_angle;           /* change of mode.liftoff_angle */
-    tdmf_stance_variation stance;   /* changes of the stride under way */
+    double state[TDMF_STATE_COUNT]; /* change of each state */
 } tdmf_variation;
 
 /* Writes how the motion that tdmf_start makes of a state changes with it. `given` is the state before the

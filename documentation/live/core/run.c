@@ -26,7 +26,7 @@ static int sample_count;
 /* Mechanical states at which a run begins. */
 LIVE_EXPORT(live_state)
 double *live_state_address(void) {
-    return start_state;
+    return start_state + TDMF_FOOT_X;
 }
 
 LIVE_EXPORT(live_samples)
@@ -136,12 +136,16 @@ int live_advance(double until, double interval, bool to_event) {
     return (int)outcome;
 }
 
+static const tdmf_outputs *read_outputs(void) {
+    static tdmf_outputs outputs;
+    tdmf_outputs_of(live_system(), &motion, &outputs);
+    return &outputs;
+}
+
 /* Fills the outputs with those of the present instant. */
 LIVE_EXPORT(live_read)
 void live_read(void) {
-    tdmf_outputs outputs;
-    tdmf_outputs_of(live_system(), &motion, &outputs);
-    live_write_outputs(&outputs, motion.state);
+    live_write_outputs(read_outputs(), motion.state);
 }
 
 LIVE_EXPORT(live_time)
@@ -152,13 +156,13 @@ double live_time(void) {
 /* Word of the last completed stride. */
 LIVE_EXPORT(live_word)
 const char *live_word(void) {
-    return motion.record.stride.word;
+    return read_outputs()->stride.word;
 }
 
 /* Word of the stride under way; a contact joins it when it ends. */
 LIVE_EXPORT(live_open_word)
 const char *live_open_word(void) {
-    return motion.record.progress.open.word;
+    return read_outputs()->open_word;
 }
 
 /* The line that is in force: y = height + x tan(slope). */

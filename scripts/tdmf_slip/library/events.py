@@ -15,6 +15,10 @@ LETTERS: Mapping[int, str] = {
 """Letters of the gait word, by contact mode."""
 
 
+MECHANICAL = slice(c.TDMF_FOOT_X, c.TDMF_FOOT_X + c.TDMF_MECHANICAL_COUNT)
+"""Places of the mechanical states among the states of a run."""
+
+
 @dataclass(frozen=True)
 class Event:
     """An event within a stride."""
@@ -28,13 +32,13 @@ class Event:
     contact_after: int
     """Contact mode that it began."""
     state: tuple[float, ...]
-    """Before the event, in the library's order."""
+    """Mechanical states before the event, in the order of `STATES`."""
 
 
 def recorded(log: Any) -> tuple[Event, ...]:
     """Events of a stride, as the solver has logged them."""
     return tuple(
-        Event(e.time, e.guard, e.before.contact, e.after.contact, tuple(e.state))
+        Event(e.time, e.guard, e.before.contact, e.after.contact, tuple(e.state[MECHANICAL]))
         for e in log.events[0 : min(log.count, c.TDMF_EVENT_CAPACITY)]
     )
 

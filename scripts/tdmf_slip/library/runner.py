@@ -18,6 +18,7 @@ from ..variables.variable import Given, Value
 from . import members
 from .binding import c, check_accepted, ffi
 from .c_structs import RETURN, viewed
+from .events import MECHANICAL
 from .members import Along, seed_of
 from .returns import RunnerStrides
 from .section import Apex, checked_apex
@@ -339,7 +340,7 @@ class Runner(Mapping[str, Value]):
             In the order of `coordinates`; the vertical velocity is left out.
         """
         state, section = ffi.new("double[]", c.TDMF_STATE_COUNT), ffi.new("double[]", c.TDMF_SECTION_COUNT)
-        state[0 : len(STATES)] = _STATES_OF(self._values)
+        state[MECHANICAL] = _STATES_OF(self._values)
         ground = c.tdmf_ground_line_of(self["ground.height"], self["ground.slope"])
         c.tdmf_section_of_state(self.c_model, ffi.new("tdmf_ground_line *", ground), state, section)
         return np.array(list(section)[: len(self.coordinates)])
@@ -359,8 +360,8 @@ class Runner(Mapping[str, Value]):
         """
         apex = self.apex()
         motion = self.started(apex)
-        if not motion.record.progress.open.began_at_apex:
-            height = motion.state[STATES.index("foot.y")]
+        if not motion.state[c.TDMF_STRIDE_IS_OPEN]:
+            height = motion.state[c.TDMF_FOOT_Y]
             raise InputError(
                 f"start values: foot.y = {height:g}: the search for a gait begins in flight; allowed: above 0"
             )
@@ -393,7 +394,7 @@ class Runner(Mapping[str, Value]):
         """
         state = ffi.new("double[]", c.TDMF_STATE_COUNT)
         self._write_state(checked_apex(apex, self.coordinates), state)
-        return dict(zip(STATES, state, strict=False))
+        return dict(zip(STATES, state[MECHANICAL], strict=True))
 
     def _write_state(self, apex: NDArray[np.float64], state: object) -> None:
         """The state at an apex; the reduced map has the leg where it is to be placed."""
