@@ -5,7 +5,7 @@ import pytest
 from tdmf_slip import RunError
 from tdmf_slip.library.strides import plain_stride, strides_from
 from tdmf_slip.paper import guinea_fowl
-from tdmf_slip.paper.guinea_fowl import AFTER, contact_angle_of, landing_at, meet_patch
+from tdmf_slip.paper.guinea_fowl import AFTER, borders, contact_angle_of, gaits, landing_at, meet_patch
 
 
 @pytest.fixture(scope="module")
@@ -25,33 +25,33 @@ def stays_up(gait, angle, friction):
 
 
 def test_gaits_have_the_speeds_that_are_published(found):
-    assert found.speeds == pytest.approx(np.arange(1.4, 3.65, 0.1), rel=1e-9)
-    assert all(gait.stable for gait in found.gaits)
+    assert found["speed"].values == pytest.approx(np.arange(1.4, 3.65, 0.1), rel=1e-9)
+    assert all(gait.stable for gait in gaits())
 
 
 def test_the_leg_comes_down_at_the_angle_that_is_asked_for(found):
-    for gait in found.gaits[::6]:
+    for gait in gaits()[::6]:
         for angle in (60.0, 64.0):
             landed = strides_from(landing_at(gait, angle), gait.apex)
             assert contact_angle_of(landed) == pytest.approx(angle, abs=1e-9)
-    assert landing_at(found.gaits[-1], 80.0) is None and landing_at(found.gaits[-1], 30.0) is None
+    assert landing_at(gaits()[-1], 80.0) is None and landing_at(gaits()[-1], 30.0) is None
 
 
 def test_a_patch_that_is_none_changes_nothing(found):
-    gait = found.gaits[10]
-    outcomes = meet_patch([gait], [contact_angle_of(gait)], gait.friction)
-    assert outcomes.fell[0, 0] == 0.0
-    assert outcomes.slip_distance[0, 0] == pytest.approx(gait.stride["slip_distance"], abs=1e-12)
+    gait = gaits()[10]
+    outcomes = meet_patch([gait], [contact_angle_of(gait)], [gait.friction])
+    assert outcomes["fell"].item() == 0.0
+    assert outcomes["slip_distance"].item() == pytest.approx(gait.stride["slip_distance"], abs=1e-12)
 
 
 @pytest.mark.parametrize("friction", [0.05, 2.0])
 def test_the_native_solver_sees_the_same_falls(found, friction):
-    fell = found.outcomes[friction].fell
+    fell = found["fell"].sel(friction=friction).values
     compared = {True: 0, False: 0}
-    for row in range(0, len(found.gaits), 4):
+    for row in range(0, len(gaits()), 4):
         for column in range(0, len(guinea_fowl.ANGLES), 5):
             if np.isfinite(fell[row, column]):
-                up = stays_up(found.gaits[row], guinea_fowl.ANGLES[column], friction)
+                up = stays_up(gaits()[row], guinea_fowl.ANGLES[column], friction)
                 assert up == (fell[row, column] == 0.0), (row, column)
                 compared[up] += 1
     assert min(compared.values()) >= 3
@@ -67,6 +67,6 @@ def test_what_is_published_stands_beside_what_is_computed(found):
     """Agreement and difference with their map: the border is near 70 degrees, and lower for fast runners."""
     verdicts = [claim.verdict for claim in guinea_fowl.claims(found)]
     assert verdicts == ["differs", "agrees", "differs", "agrees", "differs", "differs"]
-    borders = found.borders(0.05)
-    assert np.max(borders) == 67.0 and borders[-1] == 61.0
-    assert np.all(found.borders(0.05) >= found.borders(2.0))
+    border = borders(found, 0.05)
+    assert np.max(border) == 67.0 and border[-1] == 61.0
+    assert np.all(border >= borders(found, 2.0))

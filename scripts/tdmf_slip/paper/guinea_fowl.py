@@ -10,9 +10,9 @@ former values. The reduced map is used, because its leg comes down exactly at th
 import math
 import tomllib
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from functools import cache
 from importlib import resources
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,22 +27,15 @@ from ..library.runner import Runner
 from ..variables.table import FRICTION
 from .claims import Claim, both_readings
 
+if TYPE_CHECKING:
+    import xarray
+
 AFTER = 30
 """Strides after the patch: a runner that has made them is up."""
 UP = (SETTLED, UNDECIDED)
 """Fates of runners that are up: one that has made its strides without a gait to settle on is undecided."""
 STEEPEST = math.pi / 2.0
 """Bound of the angle at which a leg may be placed, rad from the vertical."""
-
-
-@dataclass(frozen=True, eq=False)
-class PatchOutcomes:
-    """Falls and slip of gaits on a patch, by contact angle."""
-
-    fell: NDArray[np.float64]
-    """1 or 0, shape (gaits, angles); NaN if the leg cannot be placed at the angle."""
-    slip_distance: NDArray[np.float64]
-    """Slip distance of the first stride on the patch, m; NaN where the stride does not close."""
 
 
 def contact_angle_of(gait: Gait) -> float:
@@ -64,34 +57,47 @@ def landing_at(gait: Gait, contact_angle: float) -> Runner | None:
     )
 
 
-def meet_patch(gaits: Sequence[Gait], contact_angles: Sequence[float], friction: float) -> PatchOutcomes:
-    """Falls and slip of runners on gaits that meet a patch, one stride long."""
-    shape = len(gaits), len(contact_angles)
-    fell, slips = np.full(shape, np.nan), np.full(shape, np.nan)
+def meet_patch(
+    gaits: Sequence[Gait], contact_angles: Sequence[float], frictions: Sequence[float]
+) -> "xarray.Dataset":
+    """Falls and slip of runners on gaits that meet a patch, one stride long.
+
+    `fell` is 1 or 0, and NaN if the leg cannot be placed at the angle. `slip_distance`, m, is that of the
+    first stride on the patch, and NaN where this stride does not close. `own_angle` is the contact angle of
+    a gait.
+    """
+    import xarray  # slow to load
+
+    fell = np.full((len(frictions), len(gaits), len(contact_angles)), np.nan)
+    slips = fell.copy()
     landings = {
-        (row, column): runner.replace({FRICTION: friction})
+        (number, row, column): runner.replace({FRICTION: friction})
+        for number, friction in enumerate(frictions)
         for row, gait in enumerate(gaits)
         for column, angle in enumerate(contact_angles)
         if (runner := landing_at(gait, angle)) is not None
     }
-    cells, apices = list(landings), [gaits[row].apex for row, _ in landings]
+    cells, apices = list(landings), [gaits[row].apex for _, row, _ in landings]
     first = Batch(list(landings.values()), np.array(apices)).stride()
     for cell, slip in zip(cells, first["slip_distance"], strict=True):
         slips[cell], fell[cell] = slip, 1.0
-    up, apices = _followed(cells, [landings[cell] for cell in cells], apices, 1)
-    after = [gaits[row].runner for row, _ in up]
-    for cell in _followed(up, after, apices, AFTER, [[gaits[row].apex] for row, _ in up])[0]:
+    up, apices = _followed(cells, list(landings.values()), apices, 1)
+    after = [gaits[row].runner for _, row, _ in up]
+    for cell in _followed(up, after, apices, AFTER, [[gaits[row].apex] for _, row, _ in up])[0]:
         fell[cell] = 0.0
-    return PatchOutcomes(fell, slips)
+    over = ("friction", "speed", "contact_angle")
+    axes = dict(zip(over, (frictions, [gait.stride["speed"] for gait in gaits], contact_angles), strict=True))
+    own = "speed", [contact_angle_of(gait) for gait in gaits]
+    return xarray.Dataset({"fell": (over, fell), "slip_distance": (over, slips), "own_angle": own}, axes)
 
 
 def _followed(
-    cells: Sequence[tuple[int, int]],
+    cells: Sequence[tuple[int, int, int]],
     runners: Sequence[Runner],
     apices: Sequence[NDArray[np.float64]],
     strides: int,
     until: Sequence[Sequence[NDArray[np.float64]]] | None = None,
-) -> tuple[list[tuple[int, int]], list[NDArray[np.float64]]]:
+) -> tuple[list[tuple[int, int, int]], list[NDArray[np.float64]]]:
     """Cells whose runners are up after some strides, and their apices then."""
     if not cells:
         return [], []
@@ -123,31 +129,16 @@ def published() -> Mapping[str, Mapping[str, float]]:
     return tomllib.loads(text)
 
 
-@dataclass(frozen=True, eq=False)
-class Map:
-    """Falls over speed and contact angle."""
-
-    gaits: tuple[Gait, ...]
-    """Gaits on ground of high friction, by rising speed."""
-    outcomes: Mapping[float, PatchOutcomes]
-    """Outcomes by the friction of the patch; one of them is the high friction."""
-
-    @property
-    def speeds(self) -> NDArray[np.float64]:
-        """Speeds of the gaits, m/s."""
-        return np.array([gait.stride["speed"] for gait in self.gaits])
-
-    def borders(self, friction: float) -> NDArray[np.float64]:
-        """Contact angles down to which gaits stay up, degrees; begun at the one nearest to their own."""
-        found = np.full(len(self.gaits), np.nan)
-        for row, gait in enumerate(self.gaits):
-            up = self.outcomes[friction].fell[row] == 0.0
-            if up.any():
-                own = contact_angle_of(gait)
-                column = int(np.argmin(np.where(up, np.abs(ANGLES - own), np.inf)))
-                falls_below = np.flatnonzero(~up[:column])
-                found[row] = ANGLES[falls_below[-1] + 1 if len(falls_below) else 0]
-        return found
+def borders(found: "xarray.Dataset", friction: float) -> NDArray[np.float64]:
+    """Contact angles down to which gaits stay up, degrees; begun at the one nearest to their own."""
+    angles, up = found["contact_angle"].values, found["fell"].sel(friction=friction).values == 0.0
+    border = np.full(len(up), np.nan)
+    for row, own in enumerate(found["own_angle"].values):
+        if up[row].any():
+            column = int(np.argmin(np.where(up[row], np.abs(angles - own), np.inf)))
+            falls_below = np.flatnonzero(~up[row, :column])
+            border[row] = angles[falls_below[-1] + 1 if len(falls_below) else 0]
+    return border
 
 
 def runner_of(leg_length: float | None = None) -> Runner:
@@ -171,6 +162,7 @@ def runner_of(leg_length: float | None = None) -> Runner:
     return Runner(values, model="reduced")
 
 
+@cache
 def gaits(leg_length: float | None = None) -> tuple[Gait, ...]:
     """Gaits over the published speeds, as far as there are any, each from its neighbour."""
     its = published()["runner"]
@@ -199,29 +191,26 @@ def _continued(gait: Gait, speeds: Sequence[float]) -> list[Gait]:
 
 
 @cache
-def fall_map(leg_length: float | None = None) -> Map:
-    """Falls on a slippery patch over speed and contact angle."""
-    found = gaits(leg_length)
-    frictions = (*FRICTIONS, published()["runner"]["high_friction"])
-    return Map(found, {mu: meet_patch(found, list(ANGLES), mu) for mu in frictions})
-
-
-def claims(found: Map) -> list[Claim]:
-    """Numbers of Clark and Higham beside the map on the most slippery patch; the reduced map has no swing."""
-    said, friction = published()["published"], FRICTIONS[0]
-    on = found.outcomes[friction]
-    borders, slow = found.borders(friction), found.speeds <= said["fast"]
-    patch = f"guinea fowl, mu = {friction:g}"
-    steep, anyway = (
-        np.nansum(found.outcomes[mu].fell[:, said["contact_angle"] < ANGLES])
-        for mu in (friction, published()["runner"]["high_friction"])
+def fall_map(leg_length: float | None = None) -> "xarray.Dataset":
+    """Falls on a patch over its friction, speed and contact angle; the last friction is the ground's."""
+    return meet_patch(
+        gaits(leg_length), ANGLES.tolist(), [*FRICTIONS, published()["runner"]["high_friction"]]
     )
-    up, down = on.slip_distance[on.fell == 0.0], on.slip_distance[on.fell == 1.0]
+
+
+def claims(found: "xarray.Dataset") -> list[Claim]:
+    """Numbers of Clark and Higham beside the map on the most slippery patch; the reduced map has no swing."""
+    said, friction, speeds = published()["published"], FRICTIONS[0], found["speed"].values
+    border, slow = borders(found, friction), speeds <= said["fast"]
+    patch = f"guinea fowl, mu = {friction:g}"
+    fallen = found["fell"].isel(contact_angle=said["contact_angle"] < ANGLES).sum(["speed", "contact_angle"])
+    steep, *_, anyway = fallen.values
+    fell, slips = (found[name].sel(friction=friction).values for name in ("fell", "slip_distance"))
+    up, down = slips[fell == 0.0], slips[fell == 1.0]
     short = float(np.mean(up < said["slip_distance"]))
     known = down[np.isfinite(down)]
     long = float(np.mean(known >= said["slip_distance"]))
-    of_slow, of_fast = np.nanmax(borders[slow]), np.nanmax(borders[~slow])
-    speeds, fast = found.speeds, f"{said['fast']:g} m/s"
+    of_slow, of_fast, fast = np.nanmax(border[slow]), np.nanmax(border[~slow]), f"{said['fast']:g} m/s"
     begins, ends = speeds[0] < said["slowest"] + 0.5 * STEP, speeds[-1] > said["fastest"] - 0.5 * STEP
     near = abs(of_slow - said["contact_angle"]) <= NEAR
     slips_up = f"for {100 * short:.0f} %, the largest {100 * np.max(up):.0f} cm"

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pandas
+import xarray
 from matplotlib.axes import Axes
 from matplotlib.colors import ListedColormap
 from matplotlib.figure import Figure
@@ -10,7 +11,6 @@ from matplotlib.patches import Patch
 
 from ...pictures import style
 from .. import guinea_fowl
-from ..guinea_fowl import contact_angle_of
 from .data import Results
 
 FALLS, UP = "#b3216f", "#cfe8e6"
@@ -24,23 +24,16 @@ SHOWN = (50.5, 75.5)
 
 def table(_: Results) -> pandas.DataFrame:
     """Data of the figure, for all angles at which the leg can be placed."""
-    found = guinea_fowl.fall_map()
-    rows = [
-        (friction, speed, angle, outcomes.fell[i, k], outcomes.slip_distance[i, k])
-        for friction, outcomes in found.outcomes.items()
-        for i, speed in enumerate(found.speeds)
-        for k, angle in enumerate(guinea_fowl.ANGLES)
-        if np.isfinite(outcomes.fell[i, k])
-    ]
-    return pandas.DataFrame(rows, columns=["friction", "speed", "contact_angle", "fell", "slip_distance"])
+    found = guinea_fowl.fall_map()[["fell", "slip_distance"]].to_dataframe().reset_index()
+    return found[found["fell"].notna()]
 
 
 def draw(_: Results) -> Figure:
     """Draw a panel for each friction on the patch; in the last one it is that of the ground."""
     found = guinea_fowl.fall_map()
     figure, panels = style.subplots(2, 2, figsize=(7.6, 6.6), sharex=True, sharey=True)
-    for axes, friction in zip(panels.flat, found.outcomes, strict=True):
-        _panel(axes, found, friction)
+    for axes, friction in zip(panels.flat, found["friction"].values, strict=True):
+        _panel(axes, found.sel(friction=friction))
     for axes in panels[1]:
         axes.set_xlabel("speed (m/s)")
     for axes in panels[:, 0]:
@@ -50,22 +43,23 @@ def draw(_: Results) -> Figure:
     return figure
 
 
-def _panel(axes: Axes, found: guinea_fowl.Map, friction: float) -> None:
-    outcomes, speeds, angles = found.outcomes[friction], found.speeds, guinea_fowl.ANGLES
+def _panel(axes: Axes, found: xarray.Dataset) -> None:
+    fell, slips = found["fell"].values, found["slip_distance"].values
+    speeds, angles, friction = (found[name].values for name in ("speed", "contact_angle", "friction"))
     said = guinea_fowl.published()["published"]
     axes.pcolormesh(
         speeds,
         angles,
-        outcomes.fell.T,
+        fell.T,
         cmap=ListedColormap([UP, FALLS]),
         vmin=0.0,
         vmax=1.0,
         shading="nearest",
     )
-    slipped = (outcomes.fell == 0.0) & (outcomes.slip_distance >= said["slip_distance"])
+    slipped = (fell == 0.0) & (slips >= said["slip_distance"])
     rows, columns = np.nonzero(slipped)
     axes.plot(speeds[rows], angles[columns], ".", color=style.INK, markersize=3)
-    axes.plot(speeds, [contact_angle_of(gait) for gait in found.gaits], color=style.SECOND_CURVE)
+    axes.plot(speeds, found["own_angle"].values, color=style.SECOND_CURVE)
     axes.axhline(said["contact_angle"], **style.LIMIT_LINE)
     axes.axvline(said["fast"], **style.LIMIT_LINE)
     high = guinea_fowl.published()["runner"]["high_friction"]
