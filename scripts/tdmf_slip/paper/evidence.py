@@ -1,7 +1,6 @@
 """Gaits, simulations and perturbed strides of one reading, to compare with the paper's statements."""
 
 import math
-from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache, cached_property
 
@@ -37,24 +36,20 @@ BRACKET = (math.radians(30.0), math.radians(33.0))
 """Touchdown angles between which the lower gait of the classic SLIP becomes stable."""
 
 
-@dataclass(frozen=True, eq=False)
 class Evidence:
-    """Computed results about the paper's runner for one reading."""
+    """Results about the paper's runner for one reading, each computed when it is first asked for."""
 
-    sweep: Sweep
-    """Gaits at many values of friction, and the borders between their words."""
-    five: Sequence[Gait]
-    """Gaits at the frictions of the paper's figures 5 to 8."""
-    touchdown_angle: float
-    """Leg angle at touchdown at the highest friction, rad."""
-    settling: int | None
-    """Strides after which a plain simulation on the least friction has settled on the gait; None if never."""
-    perturbed: int
-    """Strides that began off a gait on low friction."""
-    further_touchdowns: int
-    """Strides among them that have more than one touchdown, or do not reach the next apex."""
-    printed_torque: Spread
-    """Search for a gait with the stance torque (11) as it is printed, from starts all over the section."""
+    perturbed = len(PERTURBED) * len(PERTURBATIONS) * len(COORDINATES)
+    """Number of strides that begin off a gait on low friction, by one coordinate."""
+
+    def __init__(self, runner: Runner, progress: bool = False) -> None:
+        """Results about a runner; `progress` shows a bar for the sweep."""
+        self.runner, self._progress = runner, progress
+
+    @cached_property
+    def sweep(self) -> Sweep:
+        """Gaits at many values of friction, and the borders between their words."""
+        return sweep(self.runner, {FRICTION: SWEPT}, progress=self._progress)
 
     @cached_property
     def gaits(self) -> pandas.DataFrame:
@@ -70,6 +65,42 @@ class Evidence:
         found: NDArray[np.float64] = moduli[gaits["word"].values != ""]
         return found
 
+    @cached_property
+    def five(self) -> list[Gait]:
+        """Gaits at the frictions of the paper's figures 5 to 8."""
+        return [periodic_gait(self.runner.replace({FRICTION: friction})) for friction in WORDS]
+
+    @property
+    def touchdown_angle(self) -> float:
+        """Leg angle at touchdown at the highest friction, rad."""
+        events = self.five[0].events
+        touchdown = next(event for event in events if event.contact_after != c.TDMF_CONTACT_FLIGHT)
+        return touchdown.state[STATES.index("leg.angle")]
+
+    @cached_property
+    def settling(self) -> int | None:
+        """Strides in which a run from the unit's start settles on the least friction; None if never."""
+        slippery = self.runner.replace({FRICTION: LEAST_FRICTION})
+        run = stride_map(slippery, [slippery.start_apex()], strides=SIMULATED)
+        off = np.abs(run["apex"].values[0] - periodic_gait(slippery).apex) / slippery.scales
+        settled = np.flatnonzero(np.max(off, axis=1) < SETTLED)
+        return int(settled[0]) if len(settled) else None
+
+    @cached_property
+    def further_touchdowns(self) -> int:
+        """Number of perturbed strides with more than one touchdown, or without a next apex."""
+        directions = np.eye(len(COORDINATES)) * self.runner.scales
+        offsets = np.concatenate([size * directions for size in PERTURBATIONS])
+        gaits = [periodic_gait(self.runner.replace({FRICTION: friction})) for friction in PERTURBED]
+        runs = [stride_map(gait.runner, gait.apex + offsets) for gait in gaits]
+        return sum(int(np.sum(run["touchdowns"] != 1.0)) for run in runs)
+
+    @cached_property
+    def printed_torque(self) -> Spread:
+        """Search for a gait with the stance torque (11) as it is printed, all over the section."""
+        name = "hip.stance_torque"
+        return search_from_spread(self.runner.replace({name: -self.runner[name]}))
+
 
 @dataclass(frozen=True, eq=False)
 class ClassicEvidence:
@@ -81,47 +112,6 @@ class ClassicEvidence:
     """Least touchdown angle with a stable gait, rad; the map's slope is -1 there."""
     fold: classic_slip.FixedPoint
     """Largest touchdown angle with a gait."""
-
-
-def gather(runner: Runner, progress: bool = False) -> Evidence:
-    """Compute the evidence on the statements about the paper's runner."""
-    found = sweep(runner, {FRICTION: SWEPT}, progress=progress)
-    five = [periodic_gait(runner.replace({FRICTION: friction})) for friction in WORDS]
-    perturbed, further = _perturb(runner)
-    return Evidence(
-        found, five, _touchdown_angle(five[0]), _settling(runner), perturbed, further, _printed_torque(runner)
-    )
-
-
-def _touchdown_angle(gait: Gait) -> float:
-    touchdown = next(event for event in gait.events if event.contact_after != c.TDMF_CONTACT_FLIGHT)
-    return touchdown.state[STATES.index("leg.angle")]
-
-
-def _settling(runner: Runner) -> int | None:
-    """Run from the unit's own start, as a simulation would."""
-    slippery = runner.replace({FRICTION: LEAST_FRICTION})
-    run = stride_map(slippery, [runner.start_apex()], strides=SIMULATED)
-    distance = np.max(np.abs(run["apex"].values[0] - periodic_gait(slippery).apex) / slippery.scales, axis=1)
-    settled = np.flatnonzero(distance < SETTLED)
-    return int(settled[0]) if len(settled) else None
-
-
-def _perturb(runner: Runner) -> tuple[int, int]:
-    """Count strides that begin off a gait by one coordinate, and those with a second impact."""
-    directions = np.eye(len(COORDINATES)) * runner.scales
-    offsets = np.concatenate([size * directions for size in PERTURBATIONS])
-    further = 0
-    for friction in PERTURBED:
-        gait = periodic_gait(runner.replace({FRICTION: friction}))
-        run = stride_map(gait.runner, gait.apex + offsets)
-        further += int(np.sum(run["touchdowns"] != 1.0))
-    return len(PERTURBED) * len(offsets), further
-
-
-def _printed_torque(runner: Runner) -> Spread:
-    """Search gaits of the runner whose torque has the sign of (11) as it is printed."""
-    return search_from_spread(runner.replace({"hip.stance_torque": -runner["hip.stance_torque"]}))
 
 
 @cache

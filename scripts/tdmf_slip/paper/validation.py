@@ -16,7 +16,7 @@ from ..variables.table import FRICTION
 from . import guinea_fowl, human_running, published
 from . import reference_gaits as reference
 from .claims import PAPER, READINGS, WORDS, Claim, Group, of_group
-from .evidence import gather, gather_classic
+from .evidence import Evidence, gather_classic
 from .reference_gaits import Drift
 from .settling import DEFAULT_TOLERANCE, SettledRun, settle_fmu
 from .statements.own_claims import LAST_SEED, Recomputed, own_claims, text_of
@@ -223,7 +223,7 @@ def validate(
     ]
     if only_gaits:
         return Validation(gaits=gaits, claims=(), drifts=drifts)
-    evidence = {reading: gather(Runner(given), progress) for reading, given in runners.items()}
+    evidence = {reading: Evidence(Runner(given), progress) for reading, given in runners.items()}
     classic = gather_classic()
     for reading, of_reading in evidence.items():
         drifts += reference.sweep_drifts(reading, of_reading)
