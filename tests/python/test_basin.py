@@ -71,22 +71,6 @@ def test_a_map_is_gone_on_with(runner, slice_, tmp_path, monkeypatch):
         basin.basin(runner, {**AXES, "com_height": (1.3, 3.0)}, N, path=path)
 
 
-@pytest.mark.parametrize(
-    ("bad", "message"),
-    [
-        *(
-            ({"axes": {**AXES, "com_speed": ends}}, r"axes: com_speed = .*two finite numbers, the lower")
-            for ends in ((), (1.0,), (1.5, 1.2), (1.0, 1.0), (1.0, float("nan")))
-        ),
-        *(({"n": n}, "n = .*allowed") for n in (1, 0, 2.5, (3,), (3, 4, 5), "3")),
-        ({"refine": "coarse"}, "refine = 'coarse' is not allowed; allowed: exact, preview"),
-    ],
-)
-def test_a_wrong_map_is_refused(runner, bad, message):
-    with pytest.raises(InputError, match=message):
-        basin.basin(runner, **{"axes": AXES, "n": N, **bad})
-
-
 def test_without_ranges_a_map_is_around_the_gait(runner):
     found = basin.basin(runner, n=3)
     gait = basin.stable_gait(runner)

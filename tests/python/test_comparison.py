@@ -4,7 +4,7 @@ import re
 
 import pytest
 from conftest import CLAMPED
-from tdmf_slip import InputError, compare, find_gait, gait_at
+from tdmf_slip import compare, find_gait, gait_at
 from tdmf_slip.library.fixed_point import gait_near
 from tdmf_slip.library.quantities import QUANTITIES, quantities_of
 
@@ -57,19 +57,3 @@ def test_the_command_prints_what_the_function_gives(command):
     assert other["after"]["speed"] == pytest.approx(reference["after"]["speed"], rel=1e-9)
     assert other["before"]["speed"] != pytest.approx(reference["after"]["speed"], rel=1e-3)
     assert other["parameters"]["ground.friction"] == 10.0
-
-
-@pytest.mark.parametrize(
-    ("runners", "hold", "vary", "message"),
-    [
-        ([SLIPS], HOLD, VARY, "runners: 1 given; allowed: two or more"),
-        ([SLIPS, STICKS], [], VARY, "hold: nothing is held"),
-        ([SLIPS, STICKS], ["sped"], VARY, "hold: 'sped' is not allowed.*speed"),
-        ([SLIPS, STICKS], ["speed", "speed"], VARY, "hold: speed is given twice"),
-        ([SLIPS, STICKS], HOLD, VARY[:2], "at least as many"),
-        ([SLIPS, STICKS], HOLD, [*VARY[:2], "hip.torq"], "hip.torq"),
-    ],
-)
-def test_wrong_arguments_are_refused(runners, hold, vary, message):
-    with pytest.raises(InputError, match=message):
-        compare(runners, hold=hold, vary=vary)

@@ -142,24 +142,6 @@ def test_a_prior_and_a_datum_weigh_by_their_errors():
     assert both.as_json()["priors"][0]["value"] == 1.002
 
 
-@pytest.mark.parametrize(
-    ("priors", "words"),
-    [
-        ({"leg.stifness": (1.0, 0.1)}, "leg.stiffness"),
-        ({"leg.stiffness": 1.0}, "a value and its standard error"),
-        ({"leg.stiffness": (1.0, 0.0)}, "a standard error above 0"),
-        ({"leg.stiffness": (1.0, float("nan"))}, "a standard error above 0"),
-        ({"leg.stiffness": (-1.0, 0.1)}, "-1"),
-        ({"hip.stance_torque": (0.2, 0.1)}, "a parameter that all rows share"),
-        (3, "priors"),
-    ],
-)
-def test_a_bad_prior_gets_one_sentence(priors, words):
-    row = {"speed": Measured(1.0, 0.01), "frequency": Measured(0.04, 0.001)}
-    with pytest.raises(InputError, match=words):
-        fit(None, one_row(row), ["leg.stiffness"], vary_each=["hip.stance_torque"], priors=priors)
-
-
 def far_off(count=6):
     """Speeds under one torque; one of them is an outlier of twenty errors."""
     gait = find_gait({"ground.friction": 0.6})

@@ -166,9 +166,3 @@ def test_stability_over_a_plane_is_that_of_each_gait_and_empty_where_there_is_no
             at = found.sel(values)
             assert float(at["lambda_max"]) == pytest.approx(gait.lambda_max, abs=1e-9)
             assert at["word"] == gait.word
-
-
-@pytest.mark.parametrize("vary", [{}, {"leg.damp": [0.1]}, {"foot.x": [0.0]}])
-def test_stability_is_over_parameters(vary):
-    with pytest.raises(InputError, match="vary"):
-        stability(reduced(), vary)

@@ -11,6 +11,7 @@ from tdmf_slip import (
     RoughGround,
     Runner,
     basin,
+    compare,
     continue_branch,
     continue_curves,
     dead_beat,
@@ -22,6 +23,7 @@ from tdmf_slip import (
     stride_map,
     strides_to_fall,
     sweep,
+    trajectory,
 )
 from tdmf_slip.analysis import attraction
 from tdmf_slip.analysis.along import gaits_over
@@ -63,6 +65,12 @@ def gait(runner):
 def follow(times, values):
     """Run the unit with a table of friction."""
     run_unit({}, inputs={FRICTION: (times, values)}, stop_time=6.0)
+
+
+def known(priors):
+    """Fit two quantities with some priors."""
+    data, errors = {"speed": [1.0], "frequency": [0.04]}, {"speed": 0.01, "frequency": 0.001}
+    tdmf_slip.fit(None, data, ["leg.stiffness"], vary_each=[TORQUE], errors=errors, priors=priors)
 
 
 REFUSED = [
@@ -221,6 +229,49 @@ REFUSED = [
     (lambda r, g: stride_map(PATCH, [g.apex] * 2, foot_x=[[0.0]]), "foot_x"),
     (lambda r, g: stride_map(PATCH, [g.apex] * 2, foot_x="here"), "foot_x"),
     (lambda r, g: strides_to_fall(PATCH, 0.0, runners=3, max_strides=1, foot_x="anywhere"), "foot_x"),
+    (lambda r, g: r.replace({FRICTION: -1.0}), r"ground\.friction = -1"),
+    (lambda r, g: r.replace({"nosuch": 1.0}), "nosuch"),
+    (lambda r, g: Runner(r, tolerance=np.nan), "tolerance"),
+    (lambda r, g: Runner(r, tolerance=0.0), "tolerance"),
+    (lambda r, g: find_gait(r.replace({"foot.y": 0.0, "leg.length_rate": 1.0})), "begins in flight"),
+    (lambda r, g: find_gait(r.replace({"foot.y": -0.1})), r"foot\.y = -0\.1"),
+    (lambda r, g: find_gait(r.replace({FRICTION: 0.0})), "speed"),
+    (lambda r, g: find_gait(r, guess=[1.0, 2.0]), "shape"),
+    (lambda r, g: find_gait(r, guess=[np.nan] * 6), "guess = .*finite"),
+    (lambda r, g: periodic_gait(r, along="nosuch"), "nosuch"),
+    (lambda r, g: trajectory(r, times=[1.0, 0.5]), "times = .*rising order"),
+    (lambda r, g: trajectory(r, times=[-1.0]), "times"),
+    (lambda r, g: trajectory(r, times=[]), "times"),
+    (lambda r, g: trajectory(r, times=[np.nan]), "times"),
+    (lambda r, g: trajectory(r, times=[0.0], derivatives=["speed"]), "derivatives: 'speed' .*com_speed"),
+    (lambda r, g: trajectory(r, times=[0.0], derivatives=3), "derivatives"),
+    (lambda r, g: trajectory(r, [1.0, 1.0], times=[0.0]), "an apex of shape"),
+    (lambda r, g: trajectory(r, [0.1, 1.0, 1.0, 0.1, 0.0, 0.0], times=[0.0]), r"foot\.y"),
+    (lambda r, g: compare([r], hold=["speed"], vary=[TORQUE]), "runners: 1 given; allowed: two or more"),
+    (lambda r, g: compare([r, {}], hold=[], vary=[TORQUE]), "hold: nothing is held"),
+    (
+        lambda r, g: compare([r, {}], hold=["velocity"], vary=[TORQUE]),
+        "hold: 'velocity' is not allowed.*speed",
+    ),
+    (lambda r, g: compare([r, {}], hold=["speed"] * 2, vary=[TORQUE]), "hold: speed is given twice"),
+    (lambda r, g: compare([r, {}], hold=["speed", "length"], vary=[TORQUE]), "at least as many"),
+    (lambda r, g: compare([r, {}], hold=["speed"], vary=["hip.torq"]), "hip.torq"),
+    *(
+        (lambda r, g, ends=ends: basin(r, RANGES | {"com_speed": ends}, 2), "axes: com_speed = .*two finite")
+        for ends in ((), (1.0,), (1.5, 1.2), (1.0, 1.0), (1.0, np.nan))
+    ),
+    *((lambda r, g, n=n: basin(r, RANGES, n), "n = .*allowed") for n in (1, 0, 2.5, (3,), (3, 4, 5), "3")),
+    (lambda r, g: basin(r, RANGES, 2, refine="coarse"), "refine = 'coarse' .*allowed: exact, preview"),
+    (lambda r, g: stability(r, {}), "vary"),
+    (lambda r, g: stability(r, {"leg.damp": [0.1]}), "vary"),
+    (lambda r, g: stability(r, {"foot.x": [0.0]}), "vary"),
+    (lambda r, g: known({"leg.stifness": (1.0, 0.1)}), "leg.stiffness"),
+    (lambda r, g: known({"leg.stiffness": 1.0}), "a value and its standard error"),
+    (lambda r, g: known({"leg.stiffness": (1.0, 0.0)}), "a standard error above 0"),
+    (lambda r, g: known({"leg.stiffness": (1.0, np.nan)}), "a standard error above 0"),
+    (lambda r, g: known({"leg.stiffness": (-1.0, 0.1)}), "-1"),
+    (lambda r, g: known({TORQUE: (0.2, 0.1)}), "a parameter that all rows share"),
+    (lambda r, g: known(3), "priors"),
 ]
 
 

@@ -5,7 +5,7 @@ import pytest
 import tdmf_slip
 from conftest import CLAMPED
 from scipy_strides import Stride
-from tdmf_slip import InputError, Runner, find_gait, trajectory
+from tdmf_slip import Runner, find_gait, trajectory
 from tdmf_slip.library.section import COORDINATES
 
 RUNNERS = (
@@ -84,21 +84,3 @@ def test_a_trajectory_ends_where_the_runner_falls():
     assert run.fallen == 1 and run["status.fallen"].values[-1] == 1
     last = int(np.argmax(run["status.fallen"].values))
     assert 0 < last < 49 and np.all(run["com.y"].values[last:] == run["com.y"].values[-1])
-
-
-@pytest.mark.parametrize(
-    ("asked", "words"),
-    [
-        ({"times": [1.0, 0.5]}, "times = .*rising order"),
-        ({"times": [-1.0]}, "times"),
-        ({"times": []}, "times"),
-        ({"times": [np.nan]}, "times"),
-        ({"times": [0.0], "derivatives": ["speed"]}, "derivatives: 'speed' is not allowed.*com_speed"),
-        ({"times": [0.0], "derivatives": 3}, "derivatives"),
-        ({"times": [0.0], "apex": [1.0, 1.0]}, "an apex of shape"),
-        ({"times": [0.0], "apex": [0.1, 1.0, 1.0, 0.1, 0.0, 0.0]}, "foot.y"),
-    ],
-)
-def test_impossible_runs_are_refused(asked, words):
-    with pytest.raises(InputError, match=words):
-        trajectory({}, **asked)
