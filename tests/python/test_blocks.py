@@ -29,7 +29,7 @@ from tdmf_slip.fmu.instance import Experiment, opened
 from tdmf_slip.library.batch import Batch
 from tdmf_slip.terminal import in_blocks
 from tdmf_slip.uninterrupted import check_stop
-from tdmf_slip.viable_sets import grid
+from tdmf_slip.viable_sets import grid, viability
 
 FRICTION, DAMPING = "ground.friction", "leg.damping"
 KINDS = ("in turn", "threads", "processes", "dask")
@@ -107,7 +107,7 @@ SIZES = (
     (attraction, "STARTS_AT_ONCE", 4096),  # a block's number decides what is drawn
     (in_blocks, "MIN_RUNNERS", 1),
     (in_blocks, "MAX_RUNNERS", 2),
-    (grid, "STRIDES_IN_A_BLOCK", 1),
+    (viability, "STRIDES_IN_A_BLOCK", 1),
     (grid, "STRIDES_IN_A_CALL", 50),
 )
 """Sizes of blocks that tests make smaller."""

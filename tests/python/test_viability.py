@@ -12,7 +12,6 @@ from conftest import assert_same
 from tdmf_slip import InputError
 from tdmf_slip.library.batch import ACCURACY
 from tdmf_slip.library.return_map import stride_from
-from tdmf_slip.viable_sets import grid
 from tdmf_slip.viable_sets import viability as viability_sets
 from tdmf_slip.viable_sets.grid import starts_at
 from tdmf_slip.viable_sets.viability import point_of
@@ -282,8 +281,8 @@ def test_strides_are_kept_once(monkeypatch):
 
 
 def test_a_file_is_gone_on_with(found, tmp_path, monkeypatch):
-    path, make, made = tmp_path / "viable.nc", grid.strides_of, []
-    monkeypatch.setattr(grid, "STRIDES_IN_A_BLOCK", 3000)
+    path, make, made = tmp_path / "viable.nc", viability_sets.strides_of, []
+    monkeypatch.setattr(viability_sets, "STRIDES_IN_A_BLOCK", 3000)
 
     def counts(runner, cells, point, rows):
         if len(made) == 2 and not resuming:
@@ -291,7 +290,7 @@ def test_a_file_is_gone_on_with(found, tmp_path, monkeypatch):
         made.append(tuple(rows))
         return make(runner, cells, point, rows)
 
-    monkeypatch.setattr(grid, "strides_of", counts)
+    monkeypatch.setattr(viability_sets, "strides_of", counts)
     one_by_one, resuming = ThreadPoolExecutor(1), False  # a block under way at the interrupt is not on file
     with one_by_one, pytest.raises(KeyboardInterrupt):
         tdmf_slip.viability(STICKING, axes=AXES, vary=VARY, n=24, path=path, executor=one_by_one)

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from ..blocks import in_order, run_blocks
 from ..checks import check_size, is_one_of, refusal
 from ..errors import InputError
-from ..files.resume import Resumed
+from ..files.resume import NOT_YET, Resumed
 from ..files.whole import check_destination
 from ..given import counts_given, ends_given, is_series, is_table, mapping_of, row_of
 from ..library.engine import FATES, SETTLED
@@ -25,7 +25,6 @@ from ..library.runner import Runner
 from ..library.section import COORDINATES, check_axes
 from ..library.shared_steps import shares_steps
 from ..record import dataset
-from ..terminal.in_blocks import in_blocks
 from ..terminal.progress import progress_bar
 from ..variables.parameters import RunnerLike
 from ..variables.table import Model
@@ -42,8 +41,6 @@ Axes = Mapping[str, tuple[float, float] | None] | Sequence[str]
 """Two coordinates with their ranges."""
 LEG_LENGTH = COORDINATES.index("leg_length")
 """Index of the last positive coordinate; ranges of positive coordinates are relative to their values."""
-NOT_YET = -1
-"""Fate of a start that has not been followed."""
 STRIDES = "strides_until_known"
 """Name of the variable that counts strides."""
 FOLLOWED = "is_followed"
@@ -185,7 +182,8 @@ def basin(
     if refine == PREVIEW:
         _paint(made, slice_, executor, progress)
     else:
-        _follow_rows(made, slice_, executor, progress)
+        at_once = 1 if is_noisy(law) else max(1, STARTS_AT_ONCE // counts[1])
+        made.fill_rows(slice_.rows, at_once, "basin", "starts", executor, progress)
     share = float((made.data["fate"] == SETTLED).mean())
     area = math.prod(float(np.ptp(values)) for values in along.values())
     data = made.data.assign_attrs(settled_share=share, settled_area=share * area)
@@ -226,6 +224,12 @@ class Slice:
         first = int(np.ravel_multi_index((block[0][0], block[1][0]), self.shape))
         run = fates(self.gait, self.starts(block), law=self.law, ball=self.ball, first_number=first)
         return np.stack([run.fate, run.strides])
+
+    def rows(self, rows: Sequence[int]) -> dict[str, NDArray[np.int32]]:
+        """Fates, and strides until they were known, of all starts in some rows, by name."""
+        columns = self.shape[1]
+        found = self.fates((np.repeat(rows, columns), np.tile(np.arange(columns), len(rows))))
+        return dict(zip(("fate", STRIDES), found.reshape(2, -1, columns), strict=True))
 
 
 def fate_counts(data: xarray.Dataset) -> dict[str, int]:
@@ -285,19 +289,3 @@ def _paint(made: Resumed, slice_: Slice, executor: Executor | None, progress: bo
         found = preview_of(slice_.shape, follow)
     data = made.data
     data["fate"][:], data[STRIDES][:], data[FOLLOWED][:] = found.fate, found.strides, found.is_followed
-
-
-def _follow_rows(made: Resumed, slice_: Slice, executor: Executor | None, progress: bool) -> None:
-    """Fill in missing rows by following each of their starts."""
-    rows, columns = slice_.shape
-    missing = [row for row in range(rows) if (made.data["fate"].values[row] == NOT_YET).any()]
-    at_once = 1 if is_noisy(slice_.law) else max(1, STARTS_AT_ONCE // columns)
-    parts = [missing[first : first + at_once] for first in range(0, len(missing), at_once)]
-    starts = [(np.repeat(part, columns), np.tile(np.arange(columns), len(part))) for part in parts]
-    sizes, done = [len(part) * columns for part in parts], (rows - len(missing)) * columns
-    with in_blocks(
-        slice_.fates, starts, "basin", "starts", executor, progress, sizes=sizes, done=done
-    ) as results:
-        for number, found in results:
-            fate, strides = found.reshape(2, -1, columns)
-            made.write({next(iter(slice_.along)): parts[number]}, {"fate": fate, STRIDES: strides})

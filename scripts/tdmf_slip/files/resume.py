@@ -8,13 +8,15 @@ import contextlib
 import json
 import secrets
 import shutil
-from collections.abc import Hashable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
+from concurrent.futures import Executor
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from ..errors import InputError, RunError
+from ..terminal.in_blocks import in_blocks
 from .whole import check_folder
 
 if TYPE_CHECKING:
@@ -22,6 +24,8 @@ if TYPE_CHECKING:
 
 Place = Mapping[str, int | Sequence[int]]
 """Indices of a block along some of the dimensions."""
+NOT_YET = -1
+"""Fate of a start, or of a stride, that has not been computed."""
 PLACE = "place"
 """Attribute of a block: its place as JSON."""
 
@@ -122,6 +126,25 @@ class Resumed:
                 with contextlib.suppress(OSError):  # blocks that were done stay
                     self.folder.rmdir()
                 raise RunError(f"{self.path}{str(problem).removeprefix(str(file))}") from problem
+
+    def fill_rows(
+        self,
+        work: Callable[[list[int]], Mapping[Any, Any]],
+        at_once: int,
+        what: str,
+        unit: str,
+        executor: Executor | None,
+        progress: bool,
+    ) -> None:
+        """Fill in the rows that have fates not known yet: `work` gives arrays by name for some of them."""
+        fate = self.data["fate"]
+        missing = [row for row, of in enumerate(fate.values) if (of == NOT_YET).any()]
+        blocks = [missing[first : first + at_once] for first in range(0, len(missing), at_once)]
+        size = fate[0].size
+        sizes, done = [len(block) * size for block in blocks], (len(fate) - len(missing)) * size
+        with in_blocks(work, blocks, what, unit, executor, progress, sizes=sizes, done=done) as results:
+            for number, arrays in results:
+                self.write({str(fate.dims[0]): blocks[number]}, arrays)
 
     def finish(self, data: "xarray.Dataset", groups: "Mapping[str, xarray.Dataset] | None" = None) -> None:
         """Write the result, with further datasets in groups of the file; the blocks go."""

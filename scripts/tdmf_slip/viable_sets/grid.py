@@ -21,9 +21,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from concurrent.futures import Executor
 from dataclasses import dataclass
-from functools import partial, reduce
+from functools import reduce
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -32,7 +31,7 @@ from numpy.typing import NDArray
 from ..analysis.ball import starts_at
 from ..checks import check_size, checked_whole
 from ..errors import InputError
-from ..files.resume import Resumed
+from ..files.resume import NOT_YET
 from ..given import counts_given, ends_given, mapping_of, row_of
 from ..library.batch import ACCURACY, TOLERANCE, Batch
 from ..library.batch_tables import CLOSED, STRIDE_FATES
@@ -40,7 +39,6 @@ from ..library.runner import Runner
 from ..library.section import REDUCED, check_axes
 from ..library.settings import check_acts, checked_values, setting_number
 from ..record import dataset
-from ..terminal.in_blocks import in_blocks
 from ..variables.table import by_full_name
 
 if TYPE_CHECKING:
@@ -158,16 +156,16 @@ def _actions(runner: Runner, vary: Any) -> dict[str, NDArray[np.float64]]:
     return actions
 
 
-NOT_YET = -1
 STRIDES_IN_A_CALL = 65_536
 """Number of strides in a call of the engine; each takes 400 bytes of memory."""
 STRIDES_IN_A_BLOCK = 65_536
+"""Largest number of strides in a block of work, but for those of one row of corners."""
 
 
 def strides_of(
     runner: Runner, grid: Grid, point: NDArray[np.float64], rows: Sequence[int]
-) -> tuple[NDArray[np.int8], NDArray[np.float32]]:
-    """Make the strides of all actions from all corners in some rows of a grid: a block of work.
+) -> dict[str, NDArray[Any]]:
+    """Fates and next coordinates of strides by all actions from all corners in some rows: a block of work.
 
     Coordinates that are no axes of the grid are those of `point` at all corners.
     """
@@ -183,7 +181,8 @@ def strides_of(
         fates[some] = np.where(closed, CLOSED, run.fate).reshape(len(some), count)
         nexts[:, some] = np.where(closed, run.apex[:, columns].T, np.nan).reshape(2, len(some), count)
     shape = (len(rows), len(across), *grid.action_shape)
-    return fates.reshape(shape), nexts.reshape(2, *shape)
+    images = {f"next_{axis}": image.reshape(shape) for axis, image in zip(grid.edges, nexts, strict=True)}
+    return {"fate": fates.reshape(shape), **images}
 
 
 def no_transitions(runner: Runner, grid: Grid, point: NDArray[np.float64]) -> xarray.Dataset:
@@ -206,28 +205,6 @@ def no_transitions(runner: Runner, grid: Grid, point: NDArray[np.float64]) -> xa
         tolerance=TOLERANCE,
         **{f"at_{name}": value for name, value in shared.items() if name not in grid.edges},
     )
-
-
-def fill_transitions(
-    runner: Runner,
-    grid: Grid,
-    point: NDArray[np.float64],
-    file: Resumed,
-    executor: Executor | None,
-    progress: bool,
-) -> None:
-    """Compute the strides of a grid that are not on file yet: their fates and next apices."""
-    fate, corner = file.data["fate"], f"{next(iter(grid.edges))}_edge"
-    missing = [row for row, of in enumerate(fate.values) if (of == NOT_YET).any()]
-    row_size = math.prod(fate.shape[1:])
-    at_once = max(1, STRIDES_IN_A_BLOCK // row_size)
-    blocks = [missing[first : first + at_once] for first in range(0, len(missing), at_once)]
-    sizes, done = [len(block) * row_size for block in blocks], (len(fate) - len(missing)) * row_size
-    work = partial(strides_of, runner, grid, point)
-    with in_blocks(work, blocks, "strides", "strides", executor, progress, sizes=sizes, done=done) as results:
-        for number, (fates, nexts) in results:
-            images = {f"next_{axis}": image for axis, image in zip(grid.edges, nexts, strict=True)}
-            file.write({corner: blocks[number]}, {"fate": fates} | images)
 
 
 PAIRS_AT_ONCE = 1_000_000

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from concurrent.futures import Executor
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -25,12 +26,13 @@ from ..variables.parameters import RunnerLike
 from ..variables.table import by_full_name, model_of, model_recorded
 from ..variables.variable import Given
 from .grid import (
+    STRIDES_IN_A_BLOCK,
     Grid,
     boxes_of,
-    fill_transitions,
     grid_of,
     largest_kept,
     no_transitions,
+    strides_of,
     strides_to,
 )
 
@@ -277,7 +279,8 @@ def viability(
     point = point_of(runner, tuple(grid.edges), gait)
     blank = no_transitions(runner, grid, point)
     file = Resumed(path, blank, "viable set")
-    fill_transitions(runner, grid, point, file, executor, progress)
+    work, row_size = partial(strides_of, runner, grid, point), grid.nodes[1] * grid.action_count
+    file.fill_rows(work, max(1, STRIDES_IN_A_BLOCK // row_size), "strides", "strides", executor, progress)
     found = _with_sets(file.data[[*blank.data_vars]], runner, grid, factor, target)
     file.finish(found)
     return found
