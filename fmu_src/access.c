@@ -24,21 +24,17 @@ double *place_of(const instance *fmu, fmu_storage storage, size_t offset) {
     return (double *)((size_t)fmu + places[storage]) + offset;
 }
 
-/* True for a state without a start value, before the run: the start calculates it. */
-static bool follows_from_start(const instance *fmu, const fmu_variable *variable) {
-    return variable->storage == STORED_STATE && !variable->settable_before_start && !fmu->run.has_begun;
-}
-
-static bool is_in_view(const instance *fmu, const fmu_variable *variable) {
-    return variable->storage > STORED_START || follows_from_start(fmu, variable);
+fmu_storage storage_of(const instance *fmu, const fmu_variable *variable) {
+    const bool is_calculated =
+        variable->storage == STORED_STATE && !variable->settable_before_start && !fmu->run.has_begun;
+    return is_calculated ? STORED_HELD : variable->storage;
 }
 
 double number_of(const instance *fmu, const fmu_variable *variable) {
     if (variable->storage == STORED_WORK) {
         return fmin((double)fmu->run.work[variable->offset], INT_MAX);
     }
-    const double value =
-        *place_of(fmu, follows_from_start(fmu, variable) ? STORED_HELD : variable->storage, variable->offset);
+    const double value = *place_of(fmu, storage_of(fmu, variable), variable->offset);
     if (variable->type != VARIABLE_INTEGER || variable->storage <= STORED_START) {
         return value;
     }
@@ -91,7 +87,8 @@ call_status get_numbers(instance *fmu, unsigned types, const uint32_t references
         if (variable == NULL) {
             return CALL_ERROR;
         }
-        if (is_in_view(fmu, variable) && !bring_view_up_to_date(fmu)) {
+        const fmu_storage storage = storage_of(fmu, variable);
+        if (storage > STORED_START && !bring_up_to_date(fmu, storage)) {
             return CALL_DISCARD;
         }
         write(values, i, number_of(fmu, variable));
@@ -108,7 +105,7 @@ call_status get_texts(instance *fmu, const uint32_t references[], size_t count, 
         if (variable == NULL) {
             return CALL_ERROR;
         }
-        if (!bring_view_up_to_date(fmu)) {
+        if (!bring_up_to_date(fmu, variable->storage)) {
             return CALL_DISCARD;
         }
         values[i] = word_text(fmu, variable->offset);
@@ -182,7 +179,7 @@ static call_status set_number(instance *fmu, const fmu_variable *variable, doubl
     if (rate != NULL) {
         *rate = 0.0;
     }
-    fmu->view_is_current = false;
+    fmu->current = 0;
     return CALL_OK;
 }
 

@@ -26,7 +26,7 @@ call_status reset(instance *fmu) {
     memcpy(states_of(fmu), unit_model->state_defaults, UNIT_STATE_COUNT * sizeof(double));
     memcpy(fmu->run.starts, unit_model->state_defaults, UNIT_STATE_COUNT * sizeof(double));
     fmu->step_limit = usual_step_limit;
-    fmu->view_is_current = false;
+    fmu->current = 0;
     return CALL_OK;
 }
 

@@ -213,7 +213,7 @@ static call_status set_input_rates(instance *fmu, REFERENCES, const fmi2Integer 
             *rate = values[i];
         }
     }
-    fmu->view_is_current = false;
+    fmu->current = 0;
     return status;
 }
 

@@ -106,8 +106,8 @@ typedef struct {
 /* First member of each version's own instance, which adds the importer's callbacks. */
 typedef struct instance {
     unit_run run;
-    unit_view view; /* before the run: of the run that would start now */
-    bool view_is_current;
+    unit_view view;   /* before the run: of the run that would start now */
+    unsigned current; /* a bit for each storage whose values in the view are those of the run */
     char words[UNIT_WORD_COUNT + 1][WORD_CAPACITY]; /* texts that the importer has asked for */
     char reason[TEXT_CAPACITY];                     /* why a function has returned false */
     const char *call;                               /* name of the call of FMI that is being made */
@@ -197,7 +197,10 @@ int number_of_bit(unsigned bit);
 /* The place of a variable's value. */
 double *place_of(const instance *fmu, fmu_storage storage, size_t offset);
 
-/* A numeric variable's value. The view is current if the value is in it. */
+/* The storage of a variable's value: before the run, the view has states that the start calculates. */
+fmu_storage storage_of(const instance *fmu, const fmu_variable *variable);
+
+/* A numeric variable's value, which is up to date. */
 double number_of(const instance *fmu, const fmu_variable *variable);
 
 /* The rate of an input, per second, in the run; NULL: it has none. */
@@ -233,16 +236,17 @@ call_status set_texts(instance *fmu, const uint32_t references[], size_t count, 
  * if these values contradict each other: the call is refused. */
 const instance *present_instance(const instance *fmu, instance *preview);
 
-/* Makes the view current. False if the start values contradict each other: the call is refused. */
-bool bring_view_up_to_date(instance *fmu);
+/* Brings the values of a storage in the view up to date. False if the start values contradict each other: the
+ * call is refused. */
+bool bring_up_to_date(instance *fmu, fmu_storage storage);
 
 /* Writes a word as a text for the importer, and returns it. */
 const char *word_text(instance *fmu, size_t word);
 
 /* Nominals are typical magnitudes of the states; importers make absolute tolerances of them. */
 call_status get_states(instance *fmu, double states[], size_t count);
-call_status get_derivatives(const instance *fmu, double derivatives[], size_t count);
-call_status get_indicators(const instance *fmu, double indicators[], size_t count);
+call_status get_derivatives(instance *fmu, double derivatives[], size_t count);
+call_status get_indicators(instance *fmu, double indicators[], size_t count);
 call_status get_nominals(const instance *fmu, double nominals[], size_t count);
 
 /* ---- run.c: start, events and steps -------------------------------------------------------------------- */

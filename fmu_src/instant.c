@@ -37,14 +37,7 @@ void take_from_world(instance *fmu) {
     tdmf_take_from_world(unit_model, fmu->run.motion.shown, parameters_of(fmu), states_of(fmu), room);
 }
 
-/* ---- rates and guards ---------------------------------------------------------------------------------- */
-
-/* Picks the continuous states of the unit from values by state. */
-static void pick_states(const double *values, double picked[]) {
-    for (int i = 0; i < UNIT_CONTINUOUS_COUNT; ++i) {
-        picked[i] = values[unit_states[i].index];
-    }
-}
+/* ---- the view ------------------------------------------------------------------------------------------ */
 
 static double indicator(const tdmf_page_instant *at, const guard_state *guards, const unit_guard *row) {
     const tdmf_mode_kind *mode = at->mode;
@@ -64,46 +57,54 @@ static double indicator(const tdmf_page_instant *at, const guard_state *guards, 
     return isinf(least) ? 1.0 : least;
 }
 
-static void indicators_at(const instance *fmu, const tdmf_page_instant *at, double indicators[]) {
+static void write_indicators(instance *fmu) {
+    const tdmf_page_instant at = instant_of(fmu);
     guard_state guards[TDMF_GUARD_LIMIT];
-    tdmf_view_guards(at, fmu->run.watch, guards);
+    tdmf_view_guards(&at, fmu->run.watch, guards);
     for (int i = 0; i < UNIT_GUARD_COUNT; ++i) {
-        const double value = indicator(at, guards, &unit_guards[i]);
-        indicators[i] = isnan(value) ? 1.0 : value;
+        const double value = indicator(&at, guards, &unit_guards[i]);
+        fmu->view.guards[i] = isnan(value) ? 1.0 : value;
     }
 }
 
 /* Derivatives are limited as trial states are: an importer's solver then finds that its step was too long. */
-static void derivatives_at(const instance *fmu, const tdmf_page_instant *at, double derivatives[]) {
+static void write_derivatives(instance *fmu) {
+    const tdmf_page_instant at = instant_of(fmu);
     double rates[UNIT_STATE_COUNT + 1];
-    tdmf_page_world_rates(at, rates);
-    pick_states(rates, derivatives);
+    tdmf_page_world_rates(&at, rates);
     for (int i = 0; i < UNIT_CONTINUOUS_COUNT; ++i) {
-        derivatives[i] = within_largest(derivatives[i]);
+        fmu->view.derivatives[i] = within_largest(rates[unit_states[i].index]);
     }
 }
 
-/* ---- the view ------------------------------------------------------------------------------------------ */
+/* Outputs are limited, because trial states may give any value. */
+static void write_outputs(instance *fmu) {
+    shown_mode_of(fmu)->outputs(parameters_of(fmu), states_of(fmu), fmu->view.outputs);
+    for (int i = 0; i < UNIT_OUTPUT_COUNT; ++i) {
+        fmu->view.outputs[i] = within_largest(fmu->view.outputs[i]);
+    }
+}
 
 /* A time of the page as the importer's clock shows it; 0 for one before the run. */
 static double shown_time(const unit_run *run, double time) {
     return time < 0.0 ? 0.0 : time == run->motion.time ? run->time : run->epoch + time;
 }
 
-void evaluate(instance *fmu) {
-    const tdmf_page_instant at = instant_of(fmu);
-    unit_view *view = &fmu->view;
-    memcpy(view->numbers, fmu->run.motion.numbers, sizeof view->numbers);
+static void write_numbers(instance *fmu) {
+    double *states = fmu->view.numbers + UNIT_PARAMETER_COUNT;
+    memcpy(fmu->view.numbers, fmu->run.motion.numbers, sizeof fmu->view.numbers);
     for (int i = 0; i < UNIT_STATE_COUNT; ++i) {
-        if (unit_holds_time[i]) {
-            view->numbers[UNIT_PARAMETER_COUNT + i] = shown_time(&fmu->run, states_of(fmu)[i]);
-        }
+        states[i] = unit_holds_time[i] ? shown_time(&fmu->run, states[i]) : states[i];
     }
-    derivatives_at(fmu, &at, view->derivatives);
-    indicators_at(fmu, &at, view->guards);
-    shown_mode_of(fmu)->outputs(parameters_of(fmu), states_of(fmu), view->outputs);
-    for (int i = 0; i < UNIT_OUTPUT_COUNT; ++i) {
-        view->outputs[i] = within_largest(view->outputs[i]); /* trial states may give any value */
+}
+
+void evaluate(instance *fmu, fmu_storage storage) {
+    static void (*const writers[STORAGE_COUNT])(instance * fmu) = {[STORED_DERIVATIVE] = write_derivatives,
+                                                                   [STORED_OUTPUT] = write_outputs,
+                                                                   [STORED_HELD] = write_numbers,
+                                                                   [STORED_GUARD] = write_indicators};
+    if (writers[storage] != NULL) {
+        writers[storage](fmu);
     }
 }
 
@@ -119,18 +120,21 @@ const instance *present_instance(const instance *fmu, instance *preview) {
     return preview;
 }
 
-bool bring_view_up_to_date(instance *fmu) {
-    if (!fmu->view_is_current && fmu->run.has_begun) {
-        evaluate(fmu);
-    } else if (!fmu->view_is_current) {
+bool bring_up_to_date(instance *fmu, fmu_storage storage) {
+    if ((fmu->current >> storage & 1) == 0 && fmu->run.has_begun) {
+        evaluate(fmu, storage);
+        fmu->current |= 1u << storage;
+    } else if ((fmu->current >> storage & 1) == 0) {
         instance preview;
         if (present_instance(fmu, &preview) == NULL) {
             return false;
         }
-        evaluate(&preview);
+        for (int i = 0; i < STORAGE_COUNT; ++i) {
+            evaluate(&preview, (fmu_storage)i);
+        }
         fmu->view = preview.view;
+        fmu->current = (1u << STORAGE_COUNT) - 1;
     }
-    fmu->view_is_current = true;
     return true;
 }
 
@@ -160,7 +164,7 @@ call_status get_states(instance *fmu, double states[], size_t count) {
     if (!array_is_given(fmu, states, count, UNIT_CONTINUOUS_COUNT)) {
         return CALL_ERROR;
     }
-    if (!fmu->run.has_begun && !bring_view_up_to_date(fmu)) {
+    if (!fmu->run.has_begun && !bring_up_to_date(fmu, STORED_HELD)) {
         return CALL_DISCARD;
     }
     for (int i = 0; i < UNIT_CONTINUOUS_COUNT; ++i) {
@@ -171,29 +175,26 @@ call_status get_states(instance *fmu, double states[], size_t count) {
     return CALL_OK;
 }
 
-/* Writes values of the run or, before it begins, of the run that would start now. */
-static call_status get_values(const instance *fmu, double values[], size_t count, size_t wanted,
-                              void (*write)(const instance *fmu, const tdmf_page_instant *at,
-                                            double values[])) {
-    instance preview;
+static call_status get_values(instance *fmu, fmu_storage storage, double values[], size_t count,
+                              size_t wanted) {
     if (!array_is_given(fmu, values, count, wanted)) {
         return CALL_ERROR;
     }
-    const instance *present = present_instance(fmu, &preview);
-    if (present == NULL) {
+    if (!bring_up_to_date(fmu, storage)) {
         return CALL_DISCARD;
     }
-    const tdmf_page_instant at = instant_of(present);
-    write(present, &at, values);
+    for (size_t i = 0; i < count; ++i) {
+        values[i] = *place_of(fmu, storage, i);
+    }
     return CALL_OK;
 }
 
-call_status get_derivatives(const instance *fmu, double derivatives[], size_t count) {
-    return get_values(fmu, derivatives, count, UNIT_CONTINUOUS_COUNT, derivatives_at);
+call_status get_derivatives(instance *fmu, double derivatives[], size_t count) {
+    return get_values(fmu, STORED_DERIVATIVE, derivatives, count, UNIT_CONTINUOUS_COUNT);
 }
 
-call_status get_indicators(const instance *fmu, double indicators[], size_t count) {
-    return get_values(fmu, indicators, count, UNIT_GUARD_COUNT, indicators_at);
+call_status get_indicators(instance *fmu, double indicators[], size_t count) {
+    return get_values(fmu, STORED_GUARD, indicators, count, UNIT_GUARD_COUNT);
 }
 
 call_status get_nominals(const instance *fmu, double nominals[], size_t count) {
@@ -201,7 +202,9 @@ call_status get_nominals(const instance *fmu, double nominals[], size_t count) {
         return CALL_ERROR;
     }
     const tdmf_page_instant at = instant_of(fmu);
-    pick_states(at.scales, nominals);
+    for (int i = 0; i < UNIT_CONTINUOUS_COUNT; ++i) {
+        nominals[i] = at.scales[unit_states[i].index];
+    }
     for (int i = 0; i < UNIT_NOMINAL_COUNT; ++i) {
         nominals[unit_nominals[i].state] = unit_nominals[i].size(at.p, at.x);
     }

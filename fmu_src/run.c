@@ -49,7 +49,7 @@ call_status set_experiment(instance *fmu, bool tolerance_defined, double toleran
     set_clocks(fmu, start_time);
     fmu->run.importer_tolerance = tolerance_defined ? tolerance : INFINITY;
     fmu->run.stop_time = stop_time_defined ? stop_time : INFINITY;
-    fmu->view_is_current = false;
+    fmu->current = 0;
     return CALL_OK;
 }
 
@@ -61,8 +61,9 @@ bool requirements_are_met(instance *fmu, bool of_parameters) {
             const fmu_variable *of = &fmu_variables[row->variable],
                                *bound = row->bound < 0 ? NULL : &fmu_variables[row->bound];
             char value[VALUE_CAPACITY], limit[VALUE_CAPACITY] = "";
-            evaluate(fmu);
+            evaluate(fmu, storage_of(fmu, of));
             if (bound != NULL) {
+                evaluate(fmu, storage_of(fmu, bound));
                 value_text(bound, number_of(fmu, bound), limit);
             }
             return refuse(fmu, "%s = %s is refused: it must be %s%s%s", of->name,
@@ -122,7 +123,7 @@ call_status exit_initialization(instance *fmu) {
     }
     fmu->run = begun.run;
     fmu->run.state = fmu->run.interface == CO_SIMULATION ? STEP_MODE : EVENT_MODE;
-    fmu->view_is_current = false;
+    fmu->current = 0;
     return CALL_OK;
 }
 
@@ -238,13 +239,13 @@ call_status enter_event_mode(instance *fmu) {
         fmu->run.has_jumped |= account_for_drifts(fmu);
     }
     fmu->run.state = EVENT_MODE;
-    fmu->view_is_current = false;
+    fmu->current = 0;
     return CALL_OK;
 }
 
 /* Discards the view. A call that did not succeed ends the run: the reason is reported. */
 static call_status conclude_call(instance *fmu, bool succeeded) {
-    fmu->view_is_current = false;
+    fmu->current = 0;
     if (succeeded) {
         return CALL_OK;
     }
@@ -280,7 +281,7 @@ bool complete_step(instance *fmu) {
     for (int i = 0; i < at.mode->guard_count; ++i) {
         asks |= guards[i].is_due; /* an importer passed over the guard, or an input lets it be watched */
     }
-    fmu->view_is_current = false;
+    fmu->current = 0;
     return asks;
 }
 
@@ -289,7 +290,7 @@ call_status set_time(instance *fmu, double time) {
         return answer(fmu, CALL_ERROR, "the time is not finite or beyond 1e100 s");
     }
     set_clocks(fmu, time);
-    fmu->view_is_current = false;
+    fmu->current = 0;
     return CALL_OK;
 }
 
@@ -307,7 +308,7 @@ call_status set_states(instance *fmu, const double states[], size_t count) {
         states_of(fmu)[unit_states[i].index] = within_largest(states[i]);
     }
     take_from_world(fmu);
-    fmu->view_is_current = false;
+    fmu->current = 0;
     return CALL_OK;
 }
 

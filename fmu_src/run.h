@@ -38,8 +38,8 @@ const char *number_out_of_range(const double numbers[]);
 void show_to_world(instance *fmu);
 void take_from_world(instance *fmu);
 
-/* Computes the view of the run. */
-void evaluate(instance *fmu);
+/* Computes the values of a storage in the view. */
+void evaluate(instance *fmu, fmu_storage storage);
 
 /* ---- run.c: start and events --------------------------------------------------------------------------- */
 

@@ -203,7 +203,7 @@ static bool event_may_be_pending(const instance *fmu) {
 
 static bool rates_are_finite(instance *fmu) {
     bool finite = true;
-    evaluate(fmu);
+    evaluate(fmu, STORED_DERIVATIVE);
     for (int i = 0; i < UNIT_CONTINUOUS_COUNT; ++i) {
         finite &= fabs(fmu->view.derivatives[i]) < fmu_largest_state;
     }
@@ -286,7 +286,7 @@ call_status restore_state(instance *fmu, const void *state) {
         return answer(fmu, CALL_DISCARD, "the state is refused: it was saved in another interface");
     }
     fmu->run = read.run;
-    fmu->view_is_current = false;
+    fmu->current = 0;
     return CALL_OK;
 }
 

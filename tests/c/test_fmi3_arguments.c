@@ -142,7 +142,7 @@ TEST(counts_of_work_end_at_the_largest_integer) {
     assert_true(get_whole(component, "solver.steps") > 0);
     inside->run.work[WORK_STEPS] = (int64_t)INT_MAX + 1;
     inside->run.work[WORK_EVALUATIONS] = INT64_MAX;
-    inside->view_is_current = false;
+    inside->current = 0;
     assert_int_equal(get_whole(component, "solver.steps"), INT_MAX);
     assert_int_equal(get_whole(component, "solver.evaluations"), INT_MAX);
 }
