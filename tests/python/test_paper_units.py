@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 import tdmf_slip
 from tdmf_slip import Runner, find_gait
-from tdmf_slip.variables.paper_units import MixedUnitsWarning
-from tdmf_slip.variables.table import DIMENSIONS, paper_unit, scale
+from tdmf_slip.variables.paper_units import MixedUnitsWarning, scale
+from tdmf_slip.variables.table import DIMENSIONS, paper_unit
 
 
 @pytest.mark.parametrize("unit", DIMENSIONS)
@@ -17,7 +17,8 @@ def test_a_label_says_how_large_its_scale_is(unit):
     mass, stiffness, length = 75.1, 20500.0, 0.93
     text = paper_unit(unit).replace("^", "**").replace(" ", "*")
     said = eval(text, {"m": mass, "k": stiffness, "l0": length, "sqrt": np.sqrt, "rad": 1.0})
-    assert said == pytest.approx(scale(unit, length, np.sqrt(mass / stiffness), mass), rel=1e-12)
+    values = {"body.mass": mass, "leg.stiffness": stiffness, "leg.free_length": length}
+    assert said == pytest.approx(scale(unit, values), rel=1e-12)
 
 
 def test_labels_of_common_quantities_are_those_of_the_paper():
@@ -99,11 +100,10 @@ def test_runners_of_one_system_of_units_are_not_warned_of(given):
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         Runner(given)
-        mass, stiffness, length = 60.0, 3e4, 0.8
-        scales = length, np.sqrt(mass / stiffness), mass
+        large = {"body.mass": 60.0, "leg.stiffness": 3e4, "leg.free_length": 0.8}
         variables = tdmf_slip.load_fmu().variables
         paper = Runner()
-        Runner({n: v * scale(variables[n].unit or "1", *scales) for n, v in paper.items() if v != 0.05})
+        Runner({n: v * scale(variables[n].unit or "1", large) for n, v in paper.items() if v != 0.05})
 
 
 def test_the_command_warns_in_one_line_and_goes_on(command):
