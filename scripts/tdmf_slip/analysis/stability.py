@@ -12,7 +12,6 @@ from ..errors import RunError
 from ..library.fixed_point import gait_near
 from ..library.gait import gaits_dataset
 from ..library.runner import Runner
-from ..terminal.progress import progress_bar
 from ..variables.parameters import RunnerLike
 from ..variables.variable import Values
 from .search import periodic_gait
@@ -22,7 +21,7 @@ if TYPE_CHECKING:
     import xarray
 
 
-def stability(runner: RunnerLike, vary: Mapping[str, Values], *, progress: bool = False) -> xarray.Dataset:
+def stability(runner: RunnerLike, vary: Mapping[str, Values]) -> xarray.Dataset:
     """Find the gait at each point of a grid, from the point nearest to the runner on to its neighbours.
 
     A point has no gait where Newton's method finds none from any of its neighbours. Where there are several
@@ -37,20 +36,16 @@ def stability(runner: RunnerLike, vary: Mapping[str, Values], *, progress: bool 
         return runner.replace({name: float(row[k]) for name, (row, k) in zip(axes, values, strict=True)})
 
     first = tuple(int(np.argmin(np.abs(row - runner[name]))) for name, row in axes.items())
-    found, seen, edge = {first: periodic_gait(at(first))}, {first}, deque([first])
+    found, edge = {first: periodic_gait(at(first))}, deque([first])
     steps = [tuple(int(k) for k in way * row) for row in np.eye(len(shape), dtype=int) for way in (1, -1)]
-    with progress_bar("stability", int(np.prod(shape)), "points", progress) as bar:
-        bar.update()
-        while edge:
-            known = edge.popleft()
-            for cell in (tuple(map(sum, zip(known, step, strict=True))) for step in steps):
-                if cell in found or not all(0 <= k < count for k, count in zip(cell, shape, strict=True)):
-                    continue
-                bar.update(cell not in seen)
-                seen.add(cell)
-                try:
-                    found[cell] = gait_near(at(cell), found[known].apex)
-                except RunError:
-                    continue
-                edge.append(cell)
+    while edge:
+        known = edge.popleft()
+        for cell in (tuple(map(sum, zip(known, step, strict=True))) for step in steps):
+            if cell in found or not all(0 <= k < count for k, count in zip(cell, shape, strict=True)):
+                continue
+            try:
+                found[cell] = gait_near(at(cell), found[known].apex)
+            except RunError:
+                continue
+            edge.append(cell)
     return gaits_dataset("sweep", [found.get(cell) for cell in np.ndindex(*shape)], axes, runner)

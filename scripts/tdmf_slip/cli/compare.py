@@ -12,7 +12,7 @@ from ..library.quantities import QUANTITIES, known_quantities, unit_of
 from ..library.runner import Runner
 from ..record import origin_of, runner_in
 from ..terminal.text import headed, table
-from ..variables.table import FRICTION, VARIABLES
+from ..variables.table import VARIABLES
 from .command import Answer, command, option
 from .options import names_given
 from .runner import MODEL_OPTION, SET_OPTION, RunnerOptions, values_given
@@ -23,14 +23,7 @@ if TYPE_CHECKING:
 
 @command(
     "compare",
-    click.option(
-        "--friction",
-        "frictions",
-        type=float,
-        multiple=True,
-        metavar="MU",
-        help=f"Friction of the ground of one runner; short for {FRICTION}. Repeatable.",
-    ),
+    option("--friction", "frictions", multiple=True, metavar="MU"),
     option("--parameters", "files", multiple=True, metavar="FILE"),
     click.option(
         "--hold",
@@ -44,7 +37,7 @@ if TYPE_CHECKING:
     runner=False,
 )
 def compare_command(
-    frictions: tuple[float, ...],
+    frictions: tuple[str, ...],
     files: tuple[str, ...],
     hold: str,
     vary: str,
@@ -57,6 +50,8 @@ def compare_command(
 
     Parameters
     ----------
+    frictions
+        Friction of the ground of one runner; short for ground.friction. Repeatable.
     files
         TOML or JSON file, or preset, of one runner. Repeatable; give one, or as many as frictions.
     """
@@ -127,7 +122,7 @@ def _table(found: "xarray.Dataset", runner: Runner, quantities: Sequence[str]) -
 
 
 def _runners(
-    frictions: tuple[float, ...], files: tuple[str, ...], settings: tuple[str, ...], model: str
+    frictions: tuple[str, ...], files: tuple[str, ...], settings: tuple[str, ...], model: str
 ) -> list[Runner]:
     """Runners of the options, in the order in which they were given."""
     count = max(len(frictions), len(files))
