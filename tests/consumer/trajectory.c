@@ -14,6 +14,7 @@ int main(void) {
                 rates = {{0.0, 0.0, 0.0}, {0.0}, {0.0}, {0.0, 0.0}, {0.0, 0.0, 0.0}};
     tdmf_solver solver = tdmf_solver_default();
     tdmf_motion motion = {.time = 0.0}, saved;
+    double guards[TDMF_GUARD_COUNT]; /* pure numbers, positive until their events */
     tdmf_outputs now;
     tdmf_model model;
     const tdmf_system system = {&model, &inputs};
@@ -48,5 +49,8 @@ int main(void) {
     tdmf_native_advance(&solver, system, NULL, 50.0, &saved);
     printf("%d events; pushed, the foot is %.3f m ahead at t = 50\n", events,
            motion.state[TDMF_FOOT_X] - saved.state[TDMF_FOOT_X]);
+    tdmf_guards(system, &motion.mode, motion.state, guards);
+    printf("the guard of the touchdown is %.3f there\n", guards[TDMF_GUARD_TOUCHDOWN]);
+    printf("by tdmf_slip %s, compiled by %s\n", tdmf_version(), tdmf_compiler());
     return 0;
 }

@@ -14,7 +14,6 @@ SAYS = {
     "strides": "+0-, speed 1.033652, cost of transport 0.366586",
     "strides_shared": "+0-, speed 1.033652, cost of transport 0.366586",
     "own_solver": "10 strides, the last +0-0+ at speed 1.060856, t = 250.00146",
-    "runner": "tdmf_slip 0.1.0: touchdown at t = 12.02",
     "rough_ground": "stride,x,ground,word,speed",
     "population": "200 of 200 runners are back on the gait",
     "trajectory": "t = 5, x = 5.3100, y = 1.2935, normal force 0.0000",
