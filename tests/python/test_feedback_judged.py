@@ -8,7 +8,6 @@ import pytest
 import tdmf_slip
 from conftest import CLAMPED
 from tdmf_slip.analysis import attraction
-from tdmf_slip.errors import InputError
 from tdmf_slip.feedback import judgement
 from tdmf_slip.paper.figures import feedback
 from tdmf_slip.paper.figures.data import stored
@@ -50,15 +49,6 @@ def test_regions_of_attraction_are_those_without_noise(gait, few):
     judged = judgement.judge(gait, loud)
     assert judged.volume == judgement.judge(gait, law).volume and judged.first_passages == ()
     assert judged.robustness.step_up > 0.3
-
-
-def test_what_is_no_law_is_refused(gait):
-    with pytest.raises(
-        InputError, match="a function of apices and the number of the stride, or an AffineLaw"
-    ):
-        judgement.judge(gait, lambda apices: {})
-    with pytest.raises(InputError, match="numbers in a list"):
-        judgement.judge(gait, roughness=0.3)
 
 
 def test_a_basin_under_a_feedback_keeps_the_law(gait):

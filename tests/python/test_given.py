@@ -16,7 +16,6 @@ from tdmf_slip.variables.parameters import read_parameters
 
 FRICTION, DAMPING, TORQUE = "ground.friction", "leg.damping", "hip.stance_torque"
 GIVEN = {FRICTION: 0.6, DAMPING: 0.19}
-SERIES = pandas.Series(GIVEN)
 BACKWARD = list(reversed(COORDINATES))
 
 
@@ -26,7 +25,6 @@ def gait():
 
 
 SAME = {
-    "find_gait": (lambda given, gait: tdmf_slip.find_gait(given).apex, GIVEN, SERIES),
     "inputs": (
         lambda given, gait: run_unit(GIVEN, strides=1, inputs=given).table,
         {FRICTION: ([0.0, 9.0], [0.6, 0.5])},

@@ -116,6 +116,8 @@ REFUSED = [
     (lambda r, g: place_poles(g, [ANGLE], np.eye(3)), "."),
     (lambda r, g: judgement.judge(r), "."),
     (lambda r, g: judgement.judge(g, roughness=[-1.0]), "."),
+    (lambda r, g: judgement.judge(g, roughness=0.3), "numbers in a list"),
+    (lambda r, g: judgement.judge(g, lambda apices: {}), "a function of apices and the number of the stride"),
     (lambda r, g: judgement.judge_all(g), "."),
     (lambda r, g: stride_map({}, MANY), "runners: 1,000,000,000 runners; allowed: up to 10,000,000"),
     (lambda r, g: Batch(g.runner, g.apex).run(1, MANY), "until: 6,000,000,000 .*up to"),
