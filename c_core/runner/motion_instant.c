@@ -11,11 +11,6 @@
 
 void tdmf_begin_instant(tdmf_motion_instant *instant, tdmf_system system, const tdmf_mode *mode,
                         const double state[TDMF_STATE_COUNT]) {
-    tdmf_begin_ramped_instant(instant, system, &tdmf_zero_input_rates, mode, state);
-}
-
-void tdmf_begin_ramped_instant(tdmf_motion_instant *instant, tdmf_system system, const tdmf_inputs *rates,
-                               const tdmf_mode *mode, const double state[TDMF_STATE_COUNT]) {
     tdmf_motion motion;
     memset(&motion, 0, sizeof motion);
     motion.mode = *mode;
@@ -24,7 +19,7 @@ void tdmf_begin_ramped_instant(tdmf_motion_instant *instant, tdmf_system system,
         motion.mode.phase = TDMF_PHASE_PLACE;
     }
     memcpy(motion.state, state, sizeof motion.state);
-    const tdmf_page_point point = tdmf_page_of_motion(system, rates, &motion);
+    const tdmf_page_point point = tdmf_page_of_motion(system, &tdmf_zero_input_rates, &motion);
     tdmf_begin_instant_of_point(instant, &point);
 }
 

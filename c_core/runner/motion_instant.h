@@ -3,8 +3,8 @@
 #define TDMF_RUNNER_MOTION_INSTANT_H
 
 #include "page_exchange.h"
+#include "page_motion.h"
 #include "page_places.h"
-#include "page_variation.h"
 
 /* Memory for an instant of the runner's page, which a test checks. */
 enum { TDMF_INSTANT_MEMORY = 2944 };
@@ -20,10 +20,6 @@ typedef struct {
 /* The instant of a mode and a state. */
 void tdmf_begin_instant(tdmf_motion_instant *instant, tdmf_system system, const tdmf_mode *mode,
                         const double state[TDMF_STATE_COUNT]);
-
-/* The same where the inputs are ramped. */
-void tdmf_begin_ramped_instant(tdmf_motion_instant *instant, tdmf_system system, const tdmf_inputs *rates,
-                               const tdmf_mode *mode, const double state[TDMF_STATE_COUNT]);
 
 /* The instant of a point of the page, where its guards are seen for the first time. */
 void tdmf_begin_instant_of_point(tdmf_motion_instant *instant, const tdmf_page_point *point);

@@ -34,36 +34,16 @@ const char *tdmf_outcome_text(tdmf_outcome outcome) {
     }
 }
 
-/* Directions, if any. */
-typedef struct {
-    const tdmf_seed *seeds;
-    tdmf_variation *variations;
-    int count;
-} directions;
-
-static void write_undefined(tdmf_variation *variation) {
-    for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
-        variation->state[i] = NAN;
-    }
-}
-
 static tdmf_outcome run_motion(tdmf_solver *solver, tdmf_system system, const tdmf_inputs *rates,
-                               double until, int stop_event, tdmf_motion *motion, const directions *varied) {
+                               double until, int stop_event, tdmf_motion *motion) {
     const tdmf_motion before = *motion;
     if (motion->mode.fallen) {
         return TDMF_FELL;
     }
-    const tdmf_inputs given = tdmf_rates_with_varied_push(rates, varied->seeds, varied->count);
-    const tdmf_page_point point = tdmf_page_of_motion(system, &given, motion);
+    const tdmf_page_point point = tdmf_page_of_motion(system, rates, motion);
     tdmf_page_solver s;
-    tdmf_begin_page_solver(&s, solver, system, &point,
-                           tdmf_suits_plain_page_varied(&point, varied->seeds, varied->count));
+    tdmf_begin_page_solver(&s, solver, system, &point, tdmf_suits_plain_page(&point));
     s.motion = &before;
-    for (int i = 0; i < varied->count; ++i) {
-        const tdmf_page_direction d =
-            tdmf_page_of_variation(&point, &varied->seeds[i], &varied->variations[i]);
-        tdmf_add_direction(&s, &d);
-    }
     const tdmf_outcome outcome = tdmf_run_page_solver(&s, until - motion->begun, stop_event);
     if (outcome == TDMF_TOO_STIFF && s.run.run.steps == 1) {
         tdmf_resolve(system, motion); /* not begun, but an input may have jumped */
@@ -81,59 +61,28 @@ static tdmf_outcome run_motion(tdmf_solver *solver, tdmf_system system, const td
     const tdmf_inputs inputs =
         tdmf_inputs_after(system.inputs, rates, s.point.time - point.time + (s.point.rest - point.rest));
     tdmf_observe((tdmf_system){system.model, &inputs}, motion);
-    for (int i = 0; i < varied->count; ++i) {
-        const tdmf_page_direction d = tdmf_direction_at_end(&s, i);
-        varied->variations[i] = tdmf_variation_of_page(&s.point, &d);
-        if (tdmf_is_kinked(&system.model->parameters, &varied->seeds[i])) {
-            write_undefined(&varied->variations[i]);
-        }
-    }
     return outcome;
 }
-
-static const directions none = {NULL, NULL, 0};
 
 tdmf_outcome tdmf_native_advance(tdmf_solver *solver, tdmf_system system, const tdmf_inputs *rates,
                                  double until, tdmf_motion *motion) {
     const tdmf_inputs *given = tdmf_rates_or_zero(rates);
     return tdmf_is_sound_request(solver, system, given, until, motion)
-               ? run_motion(solver, system, given, until, -1, motion, &none)
+               ? run_motion(solver, system, given, until, -1, motion)
                : TDMF_REFUSED;
 }
 
-static tdmf_stride_outcome run_stride(tdmf_solver *solver, tdmf_system system, double until,
-                                      tdmf_motion *motion, const directions *varied) {
+tdmf_stride_outcome tdmf_native_stride(tdmf_solver *solver, tdmf_system system, double until,
+                                       tdmf_motion *motion) {
     tdmf_stride_outcome result = {TDMF_REFUSED, false};
     if (!tdmf_is_sound_request(solver, system, &tdmf_zero_input_rates, until, motion)) {
         return result;
     }
     const double strides = motion->state[TDMF_STRIDE_COUNT];
     do { /* the first apex may open a stride and close none */
-        result.outcome =
-            run_motion(solver, system, &tdmf_zero_input_rates, until, EVENT_apex, motion, varied);
+        result.outcome = run_motion(solver, system, &tdmf_zero_input_rates, until, EVENT_apex, motion);
         result.closed = motion->state[TDMF_STRIDE_COUNT] > strides;
     } while (result.outcome == TDMF_ARRIVED && !result.closed && motion->time < until);
     solver->strides += result.closed;
     return result;
-}
-
-tdmf_stride_outcome tdmf_native_stride(tdmf_solver *solver, tdmf_system system, double until,
-                                       tdmf_motion *motion) {
-    return run_stride(solver, system, until, motion, &none);
-}
-
-tdmf_stride_outcome tdmf_native_stride_varied(tdmf_solver *solver, tdmf_system system, double until,
-                                              tdmf_motion *motion, const tdmf_seed *seeds,
-                                              tdmf_variation *variations, int count) {
-    const tdmf_stride_outcome refused = {TDMF_REFUSED, false};
-    const directions varied = {seeds, variations, count};
-    tdmf_refusal why = {.code = TDMF_ACCEPTED};
-    if (tdmf_are_sound_seeds(&why, seeds, count, TDMF_VARIATION_LIMIT) &&
-        tdmf_accepts_array(&why, "variations", variations, "seed_count", count, TDMF_VARIATION_LIMIT)) {
-        return run_stride(solver, system, until, motion, &varied);
-    }
-    if (solver != NULL) {
-        solver->refusal = why;
-    }
-    return refused;
 }

@@ -1,4 +1,4 @@
-/* Outputs and rates of the runner's page at an instant of a motion, and their variations. */
+/* Outputs and rates of the runner's page at an instant of a motion. */
 #include "tdmf_slip/outputs.h"
 
 #include "contact_mode.h"
@@ -15,7 +15,7 @@
 
 /* ---- outputs ------------------------------------------------------------------------------------------- */
 
-/* Points and energies of the page, with heights above a base and its energy; or their variations. */
+/* Points of the page, with heights above a base. */
 static tdmf_point body_of(const double *o, double base) {
     const tdmf_point body = {o[OUTPUT_body_x], base + o[OUTPUT_body_y], o[OUTPUT_body_vx], o[OUTPUT_body_vy]};
     return body;
@@ -25,23 +25,6 @@ static tdmf_point center_of(const double *o, double base) {
     const tdmf_point center = {o[OUTPUT_center_x], base + o[OUTPUT_center_y], o[OUTPUT_center_vx],
                                o[OUTPUT_center_vy]};
     return center;
-}
-
-/* Writes the outputs that follow from those of the page, or their variations. */
-static void write_outputs(const double *o, double base, double energy_of_base, tdmf_outputs *outputs) {
-    memset(outputs, 0, sizeof *outputs);
-    outputs->body = body_of(o, base);
-    outputs->com = center_of(o, base);
-    outputs->contact.fx = o[OUTPUT_ground_force_x];
-    outputs->contact.fy = o[OUTPUT_ground_force_y];
-    outputs->contact.normal = o[OUTPUT_normal_force];
-    outputs->contact.tangential = o[OUTPUT_tangential_force];
-    outputs->leg.force = o[OUTPUT_force_of_leg];
-    outputs->hip.torque = o[OUTPUT_torque];
-    outputs->energy.kinetic = o[OUTPUT_kinetic_energy];
-    outputs->energy.potential = energy_of_base + o[OUTPUT_potential_energy];
-    outputs->energy.elastic = o[OUTPUT_elastic_energy];
-    outputs->energy.total = energy_of_base + o[OUTPUT_energy];
 }
 
 void tdmf_outputs_of(tdmf_system system, const tdmf_motion *motion, tdmf_outputs *outputs) {
@@ -55,7 +38,20 @@ void tdmf_outputs_of(tdmf_system system, const tdmf_motion *motion, tdmf_outputs
         o[OUTPUT_torque] = o[OUTPUT_normal_force] = o[OUTPUT_tangential_force] = NAN;
         o[OUTPUT_ground_force_x] = o[OUTPUT_ground_force_y] = NAN;
     }
-    write_outputs(o, base, system.model->total_mass * system.model->parameters.gravity * base, outputs);
+    const double energy_of_base = system.model->total_mass * system.model->parameters.gravity * base;
+    memset(outputs, 0, sizeof *outputs);
+    outputs->body = body_of(o, base);
+    outputs->com = center_of(o, base);
+    outputs->contact.fx = o[OUTPUT_ground_force_x];
+    outputs->contact.fy = o[OUTPUT_ground_force_y];
+    outputs->contact.normal = o[OUTPUT_normal_force];
+    outputs->contact.tangential = o[OUTPUT_tangential_force];
+    outputs->leg.force = o[OUTPUT_force_of_leg];
+    outputs->hip.torque = o[OUTPUT_torque];
+    outputs->energy.kinetic = o[OUTPUT_kinetic_energy];
+    outputs->energy.potential = energy_of_base + o[OUTPUT_potential_energy];
+    outputs->energy.elastic = o[OUTPUT_elastic_energy];
+    outputs->energy.total = energy_of_base + o[OUTPUT_energy];
     outputs->contact.mode = outputs->contact.mode_index = (int)mode->contact;
     outputs->ground.pending = tdmf_ground_is_pending(system.inputs, mode);
     outputs->hip.liftoff_angle = mode->liftoff_angle;
@@ -114,33 +110,4 @@ void tdmf_derivatives(tdmf_system system, const tdmf_mode *mode, const double st
     if (!tdmf_is_mode(mode)) {
         derivatives[TDMF_LEG_LENGTH_RATE] = derivatives[TDMF_LEG_ANGLE_RATE] = NAN;
     }
-}
-
-/* ---- variations ---------------------------------------------------------------------------------------- */
-
-void tdmf_vary_outputs(tdmf_system system, const tdmf_mode *mode, const double state[TDMF_STATE_COUNT],
-                       const tdmf_seed *seed, const tdmf_variation *variation,
-                       double derivatives[TDMF_STATE_COUNT], tdmf_outputs *outputs) {
-    static const tdmf_seed unchanged = {.inputs = {.ground = {.friction = 0.0}}};
-    static const tdmf_variation unvaried = {{0.0}};
-    tdmf_motion_instant instant;
-    double o[OUTPUT_COUNT];
-    double d_rates[TDMF_STATE_COUNT];
-    const tdmf_seed *given = seed != NULL ? seed : &unchanged;
-    const tdmf_inputs rates = tdmf_rates_with_varied_push(&tdmf_zero_input_rates, given, 1);
-    tdmf_begin_ramped_instant(&instant, system, &rates, mode, state);
-    tdmf_page_direction d =
-        tdmf_page_of_variation(&instant.point, given, variation != NULL ? variation : &unvaried);
-    d.x.height = d.p.ground_height; /* the line in force changes with the one that is set */
-    d.x.slope = d.p.ground_slope;
-    const double *dp = (const double *)&d.p, *dx = (const double *)&d.x;
-    instant.at.mode->vary_outputs(instant.at.p, instant.at.x, dp, dx, o);
-    tdmf_vary_page_rates(&instant.at, dp, dx, d_rates);
-    const double d_mass = given->parameters.body.mass + given->parameters.foot.mass;
-    write_outputs(o, 0.0,
-                  instant.point.base * (d_mass * system.model->parameters.gravity +
-                                        system.model->total_mass * given->parameters.gravity),
-                  outputs);
-    outputs->hip.liftoff_angle = d.x.liftoff_angle;
-    memcpy(derivatives, d_rates, sizeof d_rates);
 }

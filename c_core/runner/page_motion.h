@@ -11,7 +11,6 @@
 #include "runner.h"
 #include "tdmf_slip/motion.h"
 #include "tdmf_slip/parameters.h"
-#include "tdmf_slip/variation.h"
 
 /* Number of coordinates, those of the world and of all modes, from TDMF_FOOT_X on. */
 enum { TDMF_COORDINATE_COUNT = TDMF_LEG_WINDING + 1 - TDMF_FOOT_X };

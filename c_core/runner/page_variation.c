@@ -1,4 +1,4 @@
-/* Variations of inputs and of states in the coordinates of their mode, and back. */
+/* Directions of parameters and inputs on the runner's page. */
 #include "page_variation.h"
 
 #include "input_rates.h"
@@ -49,33 +49,4 @@ tdmf_page_direction tdmf_direction_of_seed(const tdmf_seed *seed) {
     tdmf_page_direction d = {.p = tdmf_page_parameters(&seed->parameters, &seed->inputs)};
     tdmf_write_page_inputs(&seed->inputs, &d.x);
     return d;
-}
-
-tdmf_page_direction tdmf_page_of_variation(const tdmf_page_point *point, const tdmf_seed *seed,
-                                           const tdmf_variation *variation) {
-    const tdmf_mode_kind *mode = &tdmf_runner_model.modes[point->mode];
-    tdmf_page_direction d = tdmf_direction_of_seed(seed);
-    memcpy(&d.x, variation->state, sizeof d.x);
-    tdmf_write_page_inputs(&seed->inputs, &d.x);
-    if (point->x.height == point->p.ground_height && point->x.slope == point->p.ground_slope) {
-        d.x.height = d.p.ground_height;
-        d.x.slope = d.p.ground_slope;
-    }
-    if (mode->vary_from_world) {
-        const runner_states d_seen = d.x;
-        mode->vary_from_world((const double *)&point->p, (const double *)&point->x, (const double *)&d.p,
-                              (const double *)&d_seen, (double *)&d.x);
-    }
-    return d;
-}
-
-tdmf_variation tdmf_variation_of_page(const tdmf_page_point *point, const tdmf_page_direction *d) {
-    const tdmf_mode_kind *mode = &tdmf_runner_model.modes[point->mode];
-    tdmf_variation variation;
-    memcpy(variation.state, &d->x, sizeof d->x);
-    if (mode->vary_to_world) {
-        mode->vary_to_world((const double *)&point->p, (const double *)&point->x, (const double *)&d->p,
-                            (const double *)&d->x, variation.state);
-    }
-    return variation;
 }

@@ -1,4 +1,4 @@
-/* First variations of a motion as those of the runner's page, and back. */
+/* Directions of parameters and inputs as those of the runner's page. */
 #ifndef TDMF_RUNNER_PAGE_VARIATION_H
 #define TDMF_RUNNER_PAGE_VARIATION_H
 
@@ -22,12 +22,5 @@ bool tdmf_is_kinked(const tdmf_parameters *parameters, const tdmf_seed *seed);
 
 /* The change of parameters and inputs, for states that do not change. */
 tdmf_page_direction tdmf_direction_of_seed(const tdmf_seed *seed);
-
-/* The change of the point that was read of a motion. */
-tdmf_page_direction tdmf_page_of_variation(const tdmf_page_point *point, const tdmf_seed *seed,
-                                           const tdmf_variation *variation);
-
-/* The change of a motion at the time of its point. */
-tdmf_variation tdmf_variation_of_page(const tdmf_page_point *point, const tdmf_page_direction *d);
 
 #endif

@@ -9,7 +9,6 @@
 #include "ranges.h"
 #include "refusal.h"
 #include "rest_length.h"
-#include "tdmf_slip/variation.h"
 
 #include <float.h>
 #include <math.h>
@@ -133,27 +132,4 @@ tdmf_refusal tdmf_start(tdmf_system system, tdmf_motion *motion) {
     motion->state[TDMF_HIP_TOUCHDOWN_TIME] = -DBL_MIN;
     tdmf_observe(system, motion);
     return refusal;
-}
-
-void tdmf_vary_start(tdmf_system system, const double given[TDMF_STATE_COUNT], const tdmf_seed *seed,
-                     const double state_seed[TDMF_STATE_COUNT], tdmf_variation *variation) {
-    static const tdmf_seed unchanged = {.inputs = {.ground = {.friction = 0.0}}};
-    double memory[TDMF_SETTLING_MEMORY], shift = 0.0;
-    tdmf_motion motion = {.time = 0.0};
-    memcpy(motion.state, given, sizeof motion.state);
-    tdmf_page_point point = point_at_start(system, &motion);
-    tdmf_page_direction d = tdmf_direction_of_seed(seed != NULL ? seed : &unchanged);
-    memcpy((double *)&d.x + TDMF_FOOT_X, state_seed + TDMF_FOOT_X, TDMF_MECHANICAL_COUNT * sizeof(double));
-    d.x.height = d.p.ground_height;
-    d.x.slope = d.p.ground_slope;
-    tdmf_page_run run = tdmf_run_at(&point, memory);
-    run.order = LEAST_ORDER;
-    run.tolerance = 1e-11;
-    run.seed_count = 1;
-    run.dp = (const double *)&d.p;
-    run.dx = (double *)&d.x;
-    run.shift = &shift;
-    tdmf_page_run_to(&tdmf_runner_model, &run, 0.0);
-    point.mode = run.mode;
-    *variation = tdmf_variation_of_page(&point, &d);
 }

@@ -27,10 +27,10 @@ runner line_at(const line *line, double t) {
         values[i] += t * seeds[i];
     }
     for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
-        moved.motion.state[i] += t * line->variation.state[i];
+        moved.motion.state[i] += t * line->d_state[i];
     }
     moved.model = model_of(&parameters);
-    moved.motion.mode.liftoff_angle += t * line->variation.state[TDMF_HIP_LIFTOFF_ANGLE];
+    moved.motion.mode.liftoff_angle += t * line->d_state[TDMF_HIP_LIFTOFF_ANGLE];
     double *inputs = (double *)&moved.inputs;
     const double *of_inputs = (const double *)&line->seed.inputs;
     for (size_t i = 0; i < sizeof moved.inputs / sizeof *inputs; ++i) {
@@ -69,15 +69,15 @@ line line_random(random_source *source, const runner *runner) {
     line line = {.runner = runner};
     double *seeds = (double *)&line.seed.parameters;
     for (int i = 0; i < TDMF_MECHANICAL_COUNT; ++i) {
-        line.variation.state[TDMF_FOOT_X + i] = of_state[i] * random_uniform(source, -1.0, 1.0);
+        line.d_state[TDMF_FOOT_X + i] = of_state[i] * random_uniform(source, -1.0, 1.0);
     }
     if (runner->motion.mode.phase == TDMF_PHASE_PLACE) {
-        line.variation.state[TDMF_HIP_PLACE_TIME] = scales->time * random_uniform(source, -1.0, 1.0);
+        line.d_state[TDMF_HIP_PLACE_TIME] = scales->time * random_uniform(source, -1.0, 1.0);
     }
     for (int i = 0; i < PARAMETERS; ++i) {
         seeds[i] = of_parameters[i] != 0.0 ? of_parameters[i] * random_uniform(source, -1.0, 1.0) : 0.0;
     }
-    line.variation.state[TDMF_HIP_LIFTOFF_ANGLE] = random_uniform(source, -1.0, 1.0);
+    line.d_state[TDMF_HIP_LIFTOFF_ANGLE] = random_uniform(source, -1.0, 1.0);
     line.seed.inputs.ground.friction = random_uniform(source, -1.0, 1.0);
     line.seed.inputs.hip.external_torque = scales->energy * random_uniform(source, -1.0, 1.0);
     random_source copy = *source; /* all else is as it would be on ground that is held */

@@ -11,7 +11,7 @@ enum { PARAMETERS = TDMF_PARAMETER_COUNT };
 typedef struct {
     const runner *runner;
     tdmf_seed seed;
-    tdmf_variation variation;
+    double d_state[TDMF_STATE_COUNT];
 } line;
 
 /* The runner at t on the line. Numbers that may be zero, such as gains, may become negative there. */

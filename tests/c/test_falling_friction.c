@@ -1,6 +1,7 @@
 /* Friction that falls with speed: the impact's law and its tangent, the limits in which it is Coulomb's
  * again, the energy that it takes, and friction that ramps. The gaits of an independent program are in
  * test_gaits.c. */
+#include "by_page.h"
 #include "compare.h"
 #include "integrate.h"
 #include "reference_gaits.h"
@@ -89,9 +90,9 @@ static double variation_of_speed(const reference_impact *law, double speed, doub
     const runner given = falling_foot(law, speed);
     const double d_state[TDMF_STATE_COUNT] = {[TDMF_FOOT_VX] = d_speed, [TDMF_FOOT_VY] = d_normal};
     const tdmf_seed seed = {.inputs.ground.friction = d_friction};
-    tdmf_variation variation;
-    tdmf_vary_start(SYSTEM_OF(&given), given.motion.state, &seed, d_state, &variation);
-    return variation.state[TDMF_FOOT_VX];
+    double varied[TDMF_STATE_COUNT];
+    vary_run(SYSTEM_OF(&given), given.motion.state, &seed, d_state, 0.0, varied);
+    return varied[TDMF_FOOT_VX];
 }
 
 TEST(the_impacts_tangent_is_a_ratio_of_frictions) {

@@ -33,30 +33,6 @@ TEST(without_rates_inputs_are_held) {
     assert_true(later.hip.external_torque == runner.inputs.hip.external_torque);
 }
 
-TEST(without_a_direction_nothing_changes) {
-    const runner runner = started();
-    const tdmf_variation length_seed = {.state = {[TDMF_LEG_LENGTH] = 1.0}};
-    const double zeros[TDMF_STATE_COUNT] = {0.0};
-    const tdmf_mode *mode = &runner.motion.mode;
-    const double *state = runner.motion.state;
-    double given[TDMF_STATE_COUNT], no_change[TDMF_STATE_COUNT], none[TDMF_STATE_COUNT];
-    tdmf_outputs nothing;
-    tdmf_vary_outputs(SYSTEM_OF(&runner), mode, state, &nothing_given, &length_seed, given, &nothing);
-    tdmf_vary_outputs(SYSTEM_OF(&runner), mode, state, NULL, &length_seed, no_change, &nothing);
-    tdmf_vary_outputs(SYSTEM_OF(&runner), mode, state, NULL, NULL, none, &nothing);
-    assert_all_close(no_change, given, TDMF_STATE_COUNT, 0.0, 0.0);
-    assert_all_close(none, zeros, TDMF_STATE_COUNT, 0.0, 0.0);
-    assert_true(nothing.body.x == 0.0 && nothing.com.x == 0.0);
-    double before[TDMF_STATE_COUNT];
-    memcpy(before, runner.motion.state, sizeof before);
-    before[TDMF_FOOT_Y] = 0.0;
-    before[TDMF_FOOT_VY] = -0.3;
-    tdmf_variation varied, unchanged;
-    tdmf_vary_start(SYSTEM_OF(&runner), before, &nothing_given, length_seed.state, &varied);
-    tdmf_vary_start(SYSTEM_OF(&runner), before, NULL, length_seed.state, &unchanged);
-    assert_all_close(unchanged.state, varied.state, TDMF_STATE_COUNT, 0.0, 0.0);
-}
-
 static void default_section(double section[TDMF_SECTION_COUNT]) {
     const double values[TDMF_SECTION_COUNT] = {1.33, 1.13, 1.004, 1.24, 0.0, 0.217};
     memcpy(section, values, sizeof values);
@@ -72,10 +48,6 @@ TEST(arrays_of_no_elements_may_be_absent) {
     assert_true(none.outcome == TDMF_RETURN_CLOSED && one.outcome == TDMF_RETURN_CLOSED);
     assert_all_close(none.apex, one.apex, TDMF_SECTION_COUNT, 0.0, 0.0);
     assert_all_close(none.variations[0].apex, one.variations[0].apex, TDMF_SECTION_COUNT, 0.0, 0.0);
-    tdmf_motion motion = runner.motion, varied = motion;
-    assert_true(tdmf_native_stride(&solver, SYSTEM_OF(&runner), 1e3, &motion).closed);
-    assert_true(tdmf_native_stride_varied(&solver, SYSTEM_OF(&runner), 1e3, &varied, NULL, NULL, 0).closed);
-    assert_all_close(varied.state, motion.state, TDMF_STATE_COUNT, 0.0, 0.0);
     const tdmf_orbit plain = find_orbit(TDMF_RETURN_MAP, &solver, SYSTEM_OF(&runner), section, NULL, 0);
     const tdmf_orbit with_seed =
         find_orbit(TDMF_RETURN_MAP, &solver, SYSTEM_OF(&runner), section, &nothing_given, 1);

@@ -1,4 +1,5 @@
 /* Exact directional derivatives against numerical differentiation, in every mode. */
+#include "by_page.h"
 #include "compare.h"
 #include "differentiate.h"
 #include "line.h"
@@ -9,19 +10,20 @@
 #include <math.h>
 #include <string.h>
 
-enum { OUTPUTS = 18, UNKNOWNS = TDMF_STATE_COUNT + OUTPUTS };
+enum { UNKNOWNS = TDMF_STATE_COUNT + VARIED_OUTPUTS };
 
 typedef struct {
     line line;
     int unknown;
 } unknown_line;
 
-static void list_outputs(const tdmf_outputs *o, double values[OUTPUTS]) {
-    const double all[OUTPUTS] = {o->body.x,         o->body.y,      o->body.vx,        o->body.vy,
-                                 o->com.x,          o->com.y,       o->com.vx,         o->com.vy,
-                                 o->contact.normal, o->contact.fx,  o->contact.fy,     o->contact.tangential,
-                                 o->hip.torque,     o->leg.force,   o->energy.kinetic, o->energy.potential,
-                                 o->energy.elastic, o->energy.total};
+static void list_outputs(const tdmf_outputs *o, double values[VARIED_OUTPUTS]) {
+    const double all[VARIED_OUTPUTS] = {o->body.x,           o->body.y,         o->body.vx,
+                                        o->body.vy,          o->com.x,          o->com.y,
+                                        o->com.vx,           o->com.vy,         o->contact.normal,
+                                        o->contact.fx,       o->contact.fy,     o->contact.tangential,
+                                        o->hip.torque,       o->leg.force,      o->energy.kinetic,
+                                        o->energy.potential, o->energy.elastic, o->energy.total};
     memcpy(values, all, sizeof all);
 }
 
@@ -63,10 +65,8 @@ static bool differentiable(const unknown_line *on) {
 static void variation_agrees_on(const line *line) {
     const runner *runner = line->runner;
     double exact[UNKNOWNS];
-    tdmf_outputs varied;
-    tdmf_vary_outputs(SYSTEM_OF(runner), &runner->motion.mode, runner->motion.state, &line->seed,
-                      &line->variation, exact, &varied);
-    list_outputs(&varied, exact + TDMF_STATE_COUNT);
+    vary_instant(SYSTEM_OF(runner), &runner->motion, &line->seed, line->d_state, exact,
+                 exact + TDMF_STATE_COUNT);
     unknown_line on = {*line, 0};
     for (on.unknown = 0; on.unknown < UNKNOWNS; ++on.unknown) {
         if (differentiable(&on)) {
@@ -131,7 +131,7 @@ TEST(tangents_of_an_upright_leg_in_graze_are_derivatives) {
         runner.motion.mode.ground = tdmf_ground_line_of(runner.inputs.ground.height, 0.0);
         runner.motion.state[TDMF_LEG_ANGLE] = 5e-13;
         line line = line_random(&source, &runner);
-        line.variation.state[TDMF_LEG_ANGLE] *= 1e-13; /* it stays where the sine is bounded */
+        line.d_state[TDMF_LEG_ANGLE] *= 1e-13; /* it stays where the sine is bounded */
         line.seed.inputs.ground.slope = 0.0;
         variation_agrees_on(&line);
     }

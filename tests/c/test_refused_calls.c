@@ -51,16 +51,11 @@ static tdmf_outcome stride(simulation *s) {
     return tdmf_native_stride(&s->solver, SYSTEM_OF(s), long_enough, &s->motion).outcome;
 }
 
-static tdmf_outcome stride_varied(simulation *s) {
-    return tdmf_native_stride_varied(&s->solver, SYSTEM_OF(s), long_enough, &s->motion, NULL, NULL, 0)
-        .outcome;
-}
-
 static tdmf_outcome by_cvode(simulation *s) {
     return tdmf_cvode_advance(&s->solver, SYSTEM_OF(s), NULL, 10.0, &s->motion);
 }
 
-static run *const runs[] = {advance, stride, stride_varied, by_cvode};
+static run *const runs[] = {advance, stride, by_cvode};
 enum { RUNS = COUNT_OF(runs) };
 
 static void assert_refused(run *run, simulation *at) {
@@ -134,8 +129,6 @@ TEST(solvers_refuse_null) {
     const simulation s = standing_at_apex();
     tdmf_solver solver = s.solver;
     tdmf_motion motion = s.motion;
-    tdmf_variation variation = {{0.0}};
-    const tdmf_seed seed = {.inputs = {.ground = {.friction = 1.0}}};
     for (int i = 0; i < 2 * 4; ++i) {
         const tdmf_system system = {i / 2 == 1 ? NULL : &s.model, i / 2 == 2 ? NULL : &s.inputs};
         assert_int_equal(
@@ -143,13 +136,6 @@ TEST(solvers_refuse_null) {
             TDMF_REFUSED);
     }
     assert_int_equal(tdmf_native_stride(&solver, SYSTEM_OF(&s), 1.0, NULL).outcome, TDMF_REFUSED);
-    for (int i = 0; i < 3; ++i) { /* no seeds, no variations, and a number below zero */
-        assert_int_equal(tdmf_native_stride_varied(&solver, SYSTEM_OF(&s), 1.0, &motion,
-                                                   i == 0 ? NULL : &seed, i == 1 ? NULL : &variation,
-                                                   i == 2 ? -1 : 1)
-                             .outcome,
-                         TDMF_REFUSED);
-    }
     assert_memory_equal(&motion, &s.motion, sizeof motion);
 }
 

@@ -1,5 +1,6 @@
 /* The variations of the model's laws, each against differences of what it is the variation of. (Forces,
  * accelerations and energies: test_output_variation.c.) */
+#include "by_page.h"
 #include "compare.h"
 #include "differentiate.h"
 #include "line.h"
@@ -86,11 +87,10 @@ static row start_of(const runner *at) {
 /* Along what leaves a foot that is at the ground or put on it there, and a thrust of 0 as it is. */
 static line line_of_starts(random_source *source, const runner *given) {
     line line = line_random(source, given);
-    line.variation.state[TDMF_FOOT_Y] =
-        given->motion.state[TDMF_FOOT_Y] == 0.0 ? 0.0 : given->model.scales.length;
+    line.d_state[TDMF_FOOT_Y] = given->motion.state[TDMF_FOOT_Y] == 0.0 ? 0.0 : given->model.scales.length;
     line.seed.inputs.ground.height = line.seed.inputs.ground.slope = 0.0; /* the foot would not meet it */
     if (given->motion.state[TDMF_FOOT_VY] == 0.0) {
-        line.variation.state[TDMF_FOOT_VY] = 0.0;
+        line.d_state[TDMF_FOOT_VY] = 0.0;
     }
     if (given->model.parameters.leg.thrust + given->inputs.control.thrust <= 0.0) {
         line.seed.parameters.leg.thrust = line.seed.inputs.control.thrust = 0.0;
@@ -100,9 +100,9 @@ static line line_of_starts(random_source *source, const runner *given) {
 
 static void assert_start_varies(const line *line) {
     const runner *given = line->runner;
-    tdmf_variation varied;
-    tdmf_vary_start(SYSTEM_OF(given), given->motion.state, &line->seed, line->variation.state, &varied);
-    const row exact = started(varied.state, varied.state[TDMF_HIP_LIFTOFF_ANGLE]);
+    double varied[TDMF_STATE_COUNT];
+    vary_run(SYSTEM_OF(given), given->motion.state, &line->seed, line->d_state, 0.0, varied);
+    const row exact = started(varied, varied[TDMF_HIP_LIFTOFF_ANGLE]);
     assert_row_varies(line, start_of, &exact);
 }
 

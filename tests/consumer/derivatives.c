@@ -1,35 +1,52 @@
 /* The derivative of a run by the damping of the leg, beside a difference quotient. */
 #include <stdio.h>
 #include <string.h>
-#include <tdmf_slip/tdmf_slip.h>
+#include <tdmf_slip/page.h>
+
+enum { ROOM = 128 }; /* more than a model has parameters, states or outputs */
 
 static const double end = 14.0; /* s, in the first stance */
 
-/* The height of the centre of mass at the end, and its derivative by leg.damping. */
-static double height_at_end(double damping, double *by_damping) {
-    tdmf_parameters parameters = tdmf_default_parameters();
-    const tdmf_inputs inputs = tdmf_default_inputs();
-    tdmf_solver solver = tdmf_solver_default();
-    tdmf_motion motion = {.time = 0.0};
-    tdmf_seed seed = {.parameters = {.leg = {.damping = 1.0}}};
-    double start[TDMF_STATE_COUNT], unchanged[TDMF_STATE_COUNT] = {0.0}, rates[TDMF_STATE_COUNT];
-    tdmf_variation variation;
-    tdmf_outputs now, varied;
-    tdmf_model model;
-    const tdmf_system system = {&model, &inputs};
+static int number_of(const tdmf_page *page, tdmf_page_item kind, const char *name) {
+    int number = 0;
+    while (strcmp(tdmf_page_name(page, kind, number), name) != 0)
+        ++number;
+    return number;
+}
 
-    parameters.leg.damping = damping;
-    tdmf_default_state(start);
-    memcpy(motion.state, start, sizeof start);
-    tdmf_model_create(&model, &parameters);
-    tdmf_start(system, &motion);
-    tdmf_vary_start(system, start, &seed, unchanged, &variation);
-    while (motion.time < end)
-        tdmf_native_stride_varied(&solver, system, end, &motion, &seed, &variation, 1);
-    tdmf_outputs_of(system, &motion, &now);
-    tdmf_vary_outputs(system, &motion.mode, motion.state, &seed, &variation, rates, &varied);
-    *by_damping = varied.com.y;
-    return now.com.y;
+/* The height of the centre of mass at the end, and its derivative by the damping. */
+static double height_at_end(double damping, double *by_damping) {
+    const tdmf_page *page = tdmf_page_named("runner");
+    const int parameter = number_of(page, TDMF_PAGE_PARAMETER, "damping");
+    const int height = number_of(page, TDMF_PAGE_OUTPUT, "center_y");
+    double parameters[ROOM], states[ROOM], d_parameters[ROOM] = {0.0}, last[ROOM];
+    double row[ROOM], outputs[ROOM], d_row[ROOM], d_outputs[ROOM];
+    int mode, sampled;
+    tdmf_page_map map;
+    tdmf_page_samples samples;
+
+    tdmf_page_defaults(page, parameters, states); /* an apex of the default gait */
+    parameters[parameter] = damping;
+    d_parameters[parameter] = 1.0;
+    memset(&map, 0, sizeof map);
+    map.page = page;
+    map.parameters = parameters;
+    map.states = states;
+    map.tolerance = 1e-11;
+    map.longest = end;
+    map.seed_count = 1;
+    map.d_parameters = d_parameters;
+    memset(&samples, 0, sizeof samples);
+    samples.count = 1;
+    samples.times = &end;
+    samples.states = row;
+    samples.outputs = outputs;
+    samples.d_states = d_row;
+    samples.d_outputs = d_outputs;
+    samples.modes = &mode;
+    tdmf_page_begin(&map, last, &samples, &sampled);
+    *by_damping = d_outputs[height];
+    return outputs[height];
 }
 
 int main(void) {

@@ -1,5 +1,5 @@
-/* Everything that you can read off a run besides its state, and how it changes with state, inputs and
- * parameters. Member paths are the names of the unit's variables. */
+/* Everything that you can read off a run besides its state. Member paths are the names of the unit's
+ * variables. */
 #ifndef TDMF_SLIP_OUTPUTS_H
 #define TDMF_SLIP_OUTPUTS_H
 
@@ -7,7 +7,6 @@
 #include "tdmf_slip/motion.h"
 #include "tdmf_slip/parameters.h"
 #include "tdmf_slip/stride.h"
-#include "tdmf_slip/variation.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -71,17 +70,6 @@ typedef struct {
  *     printf("%g N at x = %g m\n", now.contact.normal, now.com.x);
  */
 TDMF_API void tdmf_outputs_of(tdmf_system system, const tdmf_motion *motion, tdmf_outputs *outputs);
-
-/* Writes the derivatives of the right-hand side and of the outputs along a direction: `seed` is the change of
- * parameters and inputs, `variation` the change of state and theta_LO. Either may be NULL: it does not
- * change. The mode is held, and the clamp stays open or closed.
- *
- * `outputs` receives the change of each real output; what changes at events only is 0. The hip's positive
- * work counts as not changing where the power is zero. The derivatives of a fallen run do not change. */
-TDMF_API void tdmf_vary_outputs(tdmf_system system, const tdmf_mode *mode,
-                                const double state[TDMF_STATE_COUNT], const tdmf_seed *seed,
-                                const tdmf_variation *variation, double derivatives[TDMF_STATE_COUNT],
-                                tdmf_outputs *outputs);
 
 #ifdef __cplusplus
 }

@@ -36,6 +36,12 @@ typedef struct {
     const tdmf_inputs *inputs; /* their values at the time of the motion */
 } tdmf_system;
 
+/* A direction in the space of parameters and inputs, along which strides are differentiated. */
+typedef struct {
+    tdmf_parameters parameters; /* change of each parameter, per unit of the direction */
+    tdmf_inputs inputs;         /* and of each input */
+} tdmf_seed;
+
 /* Return the default values: Table 1 and friction 0.6. From tdmf_default_state they make a periodic gait. */
 TDMF_API tdmf_parameters tdmf_default_parameters(void);
 TDMF_API tdmf_inputs tdmf_default_inputs(void);

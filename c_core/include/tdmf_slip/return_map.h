@@ -16,7 +16,6 @@
 #include "tdmf_slip/export.h"
 #include "tdmf_slip/solver.h"
 #include "tdmf_slip/stride.h"
-#include "tdmf_slip/variation.h"
 
 #ifdef __cplusplus
 extern "C" {

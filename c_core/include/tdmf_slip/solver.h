@@ -14,7 +14,6 @@
 #include "tdmf_slip/export.h"
 #include "tdmf_slip/motion.h"
 #include "tdmf_slip/parameters.h"
-#include "tdmf_slip/variation.h"
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -110,20 +109,8 @@ typedef struct {
 TDMF_API tdmf_stride_outcome tdmf_native_stride(tdmf_solver *solver, tdmf_system system, double until,
                                                 tdmf_motion *motion);
 
-/* The largest number of directions in one call: the section's six coordinates and two parameters. */
+/* The largest number of directions along which a stride is differentiated. */
 enum { TDMF_VARIATION_LIMIT = 8 };
-
-/* Integrates a stride as tdmf_native_stride does, and the derivatives of the motion along `count` directions.
- * A seed is the direction's change of parameters and inputs. The variation is the change of the motion:
- * before the call at motion->time, see tdmf_vary_start, and after it at the new motion->time.
- *
- * Variations also limit the steps. They are not finite where no derivative exists:
- *   - on the edge of an event, where a crossing is a touch, two events coincide, or a foot stands without
- * friction;
- *   - along a gain, if both gains are zero and hip.swing_clamp is true. */
-TDMF_API tdmf_stride_outcome tdmf_native_stride_varied(tdmf_solver *solver, tdmf_system system, double until,
-                                                       tdmf_motion *motion, const tdmf_seed *seeds,
-                                                       tdmf_variation *variations, int count);
 
 /* Returns an outcome in words, a static string. */
 TDMF_API const char *tdmf_outcome_text(tdmf_outcome outcome);

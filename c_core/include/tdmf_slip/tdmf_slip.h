@@ -19,7 +19,6 @@
 #include "tdmf_slip/state.h"
 #include "tdmf_slip/stride.h"
 #include "tdmf_slip/variables.h"
-#include "tdmf_slip/variation.h"
 #include "tdmf_slip/version.h"
 
 #endif
