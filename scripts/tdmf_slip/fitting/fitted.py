@@ -21,7 +21,7 @@ from ..terminal.progress import progress_bar
 from ..variables.parameters import RunnerLike
 from ..variables.table import Model, full_names, model_of
 from .conclusion import concluded
-from .measurements import Data, Errors, Measurements, Units, measurements_of
+from .measurements import Data, Errors, Units, measurements_of
 from .problem import PriorGiven, Problem, Request, checked_priors
 from .result import Fit
 from .search import Ended, best_from
@@ -38,20 +38,24 @@ def profiled_names(profile: object, names: Sequence[str], model: Model) -> tuple
     return chosen
 
 
-def check_counts(shared: Sequence[str], each: Sequence[str], measurements: Measurements, priors: int) -> None:
+def check_counts(request: Request) -> None:
     """Refuse names that are both shared and not shared, and more parameters than data."""
-    both = next((name for name in shared if name in each), None)
+    both = next((name for name in request.shared if name in request.each), None)
     if both is not None:
         raise InputError(f"vary and vary_each: {both} is in both; allowed: in one of them")
-    rows = len(measurements.rows)
-    wanted = len(shared) + rows * len(each)
-    if not wanted:
+    if not request.parameters:
         raise InputError("vary: nothing varies; allowed: one parameter or more, shared or for each row")
-    if wanted > measurements.count + priors:
-        many = f" and {len(each)} for each of {rows} rows" if each else ""
+    if request.degrees_of_freedom < 0:
+        measurements, each = request.measurements, len(request.each)
+        many = f" and {each} for each of {len(measurements.rows)} rows" if each else ""
         raise InputError(
-            f"vary: {wanted} parameters ({len(shared)} shared{many}), but {measurements.where} has "
-            f"{measurements.count} measured; allowed: no more than are measured"
+            f"vary: {len(request.parameters)} parameters ({len(request.shared)} shared{many}), but "
+            f"{measurements.where} has {measurements.count} measured; allowed: no more than are measured"
+        )
+    if request.scale_errors and not request.degrees_of_freedom:
+        raise InputError(
+            "scale_errors: as many numbers are fitted as were measured, so the residuals do not determine "
+            "the errors' factor; allowed: more data, or errors that are known"
         )
 
 
@@ -152,8 +156,6 @@ def fit(
     alone = [prior for prior in known if prior.name not in shared]
     begun = Runner(runner, model=model).replace({prior.name: prior.value for prior in alone})
     shared = (*shared, *(prior.name for prior in alone))
-    check_counts(shared, each, measurements, len(known))
-    profiled = profiled_names(profile, (*shared, *each), own)
     request = Request(
         measurements=measurements,
         shared=shared,
@@ -161,14 +163,10 @@ def fit(
         priors=known,
         robust=checked_flag("robust", robust),
         scale_errors=checked_flag("scale_errors", scale_errors),
-        profiled=profiled,
+        profiled=profiled_names(profile, (*shared, *each), own),
         starts=checked_whole("starts", starts, 1, MAX_STARTS),
     )
-    if request.scale_errors and request.degrees_of_freedom < 1:
-        raise InputError(
-            "scale_errors: as many numbers are fitted as were measured, so the residuals do not determine "
-            "the errors' factor; allowed: more data, or errors that are known"
-        )
+    check_counts(request)
     first = _first(begun, guess)
     with progress_bar("fit", None, "strides", progress) as bar:
 

@@ -29,15 +29,6 @@ from . import style
 if TYPE_CHECKING:
     import xarray
 
-NAMES = {
-    "com_height": "height of the centre of mass",
-    "com_speed": "speed of the centre of mass",
-    "leg_length": "leg length",
-    "leg_angle": "leg angle",
-    "leg_length_rate": "rate of leg length",
-    "leg_angle_rate": "rate of leg angle",
-}
-"""Names of the section's coordinates, at the apex."""
 COUNTED = {
     "settled": ("GnBu_r", "strides until the runner is known to settle"),
     "fell": ("OrRd_r", "strides until the runner falls"),
@@ -114,11 +105,6 @@ def _at_friction(values: Mapping[str, Any]) -> str:
     return f"friction {values[FRICTION]:g}, " if FRICTION in values else ""
 
 
-def _in_words(axis: str) -> str:
-    """The name of a coordinate of the section."""
-    return NAMES.get(axis, axis.replace("_", " "))
-
-
 def _cross(axes: Axes, data: "xarray.Dataset", horizontal: str, vertical: str) -> Line2D:
     """Ink with a white rim, which is seen on any colour."""
     at = data.attrs[f"gait_{horizontal}"], data.attrs[f"gait_{vertical}"]
@@ -158,7 +144,7 @@ def _mark_small(
 def _label(data: "xarray.Dataset", axis: str) -> str:
     """Label with its unit; in SI units it also gives the runner's own scale."""
     unit, values = data[axis].attrs["units"], runner_in(data)
-    label = style.with_unit(_in_words(axis), paper_units.label(unit, values))
+    label = style.with_unit(style.in_words(axis), paper_units.label(unit, values))
     has_scales = set(paper_units.SCALES) <= values.keys()
     if unit == "rad" or paper_units.are_in_use(values) or not has_scales:
         return label
@@ -183,7 +169,7 @@ def of_strides(made: "xarray.Dataset") -> Figure:
     for axes, name in zip(panels, drawn, strict=False):
         _draw_runners(axes, apices[..., names.index(name)])
         unit = paper_units.label(model.coordinate(name).unit, runner_in(made))
-        style.label(axes, "", style.with_unit(_in_words(name), unit))
+        style.label(axes, "", style.with_unit(style.in_words(name), unit))
     panels[-1].set_xlabel("strides")
     panels[-1].xaxis.set_major_locator(MaxNLocator(integer=True))
     if len(apices) > MAX_LINES:
@@ -223,7 +209,7 @@ def of_runs(runs: "xarray.Dataset") -> Figure:
                     along[where], runs[quantity].values[where], "o", color=colour, markersize=4.5, label=label
                 )
         unit = paper_units.label(VARIABLES[f"stride.{quantity}"].unit, values)
-        axes.set_ylabel(style.with_unit(quantity.replace("_", " "), unit))
+        axes.set_ylabel(style.with_unit(style.in_words(quantity), unit))
     unit = paper_units.label(VARIABLES[name].unit, values) if name and numeric else ""
     panels[-1].set_xlabel(style.with_unit(name, unit) if name and numeric else "run")
     figure.legend(*panels[0].get_legend_handles_labels(), loc="outside lower center", ncols=2)
@@ -266,7 +252,7 @@ def paint_viable_set(axes: Axes, found: xarray.Dataset, maximum: float | None = 
     mesh = style.paint_cells(axes, edges, states == 2, VIABLE_COLOURS, robustness, largest)
     runner = Runner(runner_in(found), model=found.model)
     labels = [
-        style.with_unit(_in_words(axis), runner.label(runner.model.coordinate(axis).unit))
+        style.with_unit(style.in_words(axis), runner.label(runner.model.coordinate(axis).unit))
         for axis in (horizontal, vertical)
     ]
     style.label(axes, *labels)

@@ -45,11 +45,6 @@ def figure_of(fit: Fit) -> Figure:
     return figure
 
 
-def in_words(name: str) -> str:
-    """The name of a quantity as words."""
-    return name.replace("_", " ")
-
-
 def _tick_positions(fit: Fit) -> tuple[Sequence[float], str]:
     """Places of the rows on the horizontal axis, and its title."""
     speeds = [row["speed"].value for row in fit.measurements.rows if "speed" in row]
@@ -83,7 +78,7 @@ def _quantity(axes: Axes, residuals: Sequence[Residual], ticks: Sequence[float],
     )
     axes.plot(at, [of.fitted for of in residuals], "x", color=FITTED, markersize=7, label="fitted", zorder=4)
     name = residuals[0].name
-    axes.set_title(style.with_unit(in_words(name), runner.label(unit_of(name, runner.model))))
+    axes.set_title(style.with_unit(style.in_words(name), runner.label(unit_of(name, runner.model))))
     _ticks(axes, ticks)
 
 
@@ -93,7 +88,9 @@ def _residuals(axes: Axes, fit: Fit, names: Sequence[str], ticks: Sequence[float
         its = [of for of in fit.residuals if of.name == name]
         if name in names:
             at = [ticks[of.row - 1] for of in its]
-            axes.plot(at, [of.residual for of in its], "o", color=colour, markersize=4, label=in_words(name))
+            axes.plot(
+                at, [of.residual for of in its], "o", color=colour, markersize=4, label=style.in_words(name)
+            )
     axes.axhline(0.0, color=style.GROUND, linewidth=0.8, zorder=0)
     for quantile in (-QUANTILE, QUANTILE):
         axes.axhline(quantile, **style.LIMIT_LINE)

@@ -95,7 +95,7 @@ def of_optimum(found: Optimum) -> Figure:
     _changes(lower, given, {"optimum": found.parameters})
     style.label(upper, "change from the runner that was given (%)", "quantity")
     style.label(lower, "change from the runner that was given (%)", "parameter")
-    upper.set_title(f"{'least' if found.is_minimum else 'most'} {_words(found.objective)}")
+    upper.set_title(f"{'least' if found.is_minimum else 'most'} {style.in_words(found.objective)}")
     return figure
 
 
@@ -155,7 +155,9 @@ def _changes(
             np.arange(len(names)) + (number - 0.5 * (len(others) - 1)) * width, changes, width, label=label
         )
     axes.axvline(0.0, color=style.INK, linewidth=0.8)
-    shown = [_words(name) + ("" if abs(reference[name]) > ZERO else " (reference: 0)") for name in names]
+    shown = [
+        style.in_words(name) + ("" if abs(reference[name]) > ZERO else " (reference: 0)") for name in names
+    ]
     axes.set_yticks(range(len(names)), shown)
     for name, text in zip(names, axes.get_yticklabels(), strict=True):
         text.set_fontweight("bold" if name in bold else "normal")
@@ -163,11 +165,4 @@ def _changes(
 
 
 def _with_unit(name: str, runner: Runner) -> str:
-    return style.with_unit(_words(name), runner.label(unit_of(name)))
-
-
-def _words(name: str) -> str:
-    """A quantity as it is read; a parameter, whose name has a dot, as it is."""
-    if name == LAMBDA_MAX:
-        return "largest eigenvalue"
-    return name if "." in name else name.replace("_", " ")
+    return style.with_unit(style.in_words(name), runner.label(unit_of(name)))

@@ -258,6 +258,21 @@ def mark_in_display_unit(axis: Axis, name: str, display: DisplayUnits) -> str:
     return with_unit(name, display.unit(name))
 
 
+NAMES = {
+    "com_height": "height of the centre of mass",
+    "com_speed": "speed of the centre of mass",
+    "leg_length_rate": "rate of leg length",
+    "leg_angle_rate": "rate of leg angle",
+    "lambda_max": "largest eigenvalue",
+}
+"""Names of coordinates and quantities that do not read as words by themselves."""
+
+
+def in_words(name: str) -> str:
+    """A coordinate or quantity as it is read; a parameter, whose name has a dot, as it is."""
+    return NAMES.get(name, name if "." in name else name.replace("_", " "))
+
+
 def with_unit(name: str, unit: str) -> str:
     """Label of an axis with its unit, if it has one, as it is printed: N·s/m for N.s/m, m/s² for m/s2."""
     return name if unit in ("", "1") else f"{name} ({printed(unit)})"
