@@ -217,7 +217,7 @@ FMI_TEST(stiff_parameters_end_in_a_message) {
 }
 
 FMI_TEST(the_tighter_tolerance_wins) {
-    double energies[2];
+    int steps[2];
     for (int i = 0; i < 2; ++i) {
         void *instance = new_of_kind(fmi, STEPS);
         set_values(fmi, instance, "solver.relative_tolerance=1e-4");
@@ -225,12 +225,9 @@ FMI_TEST(the_tighter_tolerance_wins) {
         assert_int_equal(fmi->enter_initialization(instance, &experiment), FMI_OK);
         assert_int_equal(fmi->exit_initialization(instance), FMI_OK);
         run_to(fmi, instance, period, period);
-        energies[i] = fabs(value_of(fmi, instance, "energy.total") - value_of(fmi, instance, "hip.work") +
-                           value_of(fmi, instance, "energy.damper_loss") +
-                           value_of(fmi, instance, "energy.friction_loss") +
-                           value_of(fmi, instance, "energy.impact_loss") - 0.587225);
+        steps[i] = integer_of(fmi, instance, "solver.steps");
     }
-    assert_true(energies[0] != energies[1]);
+    assert_true(steps[1] > steps[0]);
 }
 
 /* ---- inputs and outputs --------------------------------------------------------------------------- */
