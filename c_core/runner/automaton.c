@@ -127,10 +127,9 @@ static bool has_jumped(const double *before, const double *after) {
 /* The right-hand side and the ground are the same: contact, phase, zone, clamp, thrust, line and fall. */
 static bool same_mode(const tdmf_mode *a, const tdmf_mode *b) {
     return a->contact == b->contact && a->phase == b->phase && a->zone == b->zone &&
-           a->liftoff_angle == b->liftoff_angle && a->mid_stance_pending == b->mid_stance_pending &&
-           a->clamp_closed == b->clamp_closed && a->rest_length == b->rest_length &&
-           a->ground.height == b->ground.height && a->ground.slope == b->ground.slope &&
-           a->fallen == b->fallen;
+           a->mid_stance_pending == b->mid_stance_pending && a->clamp_closed == b->clamp_closed &&
+           a->rest_length == b->rest_length && a->ground.height == b->ground.height &&
+           a->ground.slope == b->ground.slope && a->fallen == b->fallen;
 }
 
 /* Rounding or a coarse solver may leave a rising foot below the ground in flight. That is no touchdown. */

@@ -54,7 +54,7 @@ void tdmf_outputs_of(tdmf_system system, const tdmf_motion *motion, tdmf_outputs
     outputs->energy.total = energy_of_base + o[OUTPUT_energy];
     outputs->contact.mode = outputs->contact.mode_index = (int)mode->contact;
     outputs->ground.pending = tdmf_ground_is_pending(system.inputs, mode);
-    outputs->hip.liftoff_angle = mode->liftoff_angle;
+    outputs->hip.liftoff_angle = x->liftoff_angle;
     outputs->hip.phase = outputs->hip.phase_index = (int)mode->phase;
     outputs->energy.impact_loss = x->impact_loss;
     outputs->event.count = tdmf_count_of(x->events);

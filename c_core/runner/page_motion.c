@@ -121,7 +121,6 @@ static const double swing_rest = 0.0, swing_retract = 1.0, swing_place = 2.0;
 static void read_mode(const tdmf_mode *mode, runner_states *x) {
     const bool rises_again = mode->phase == TDMF_PHASE_PLACE && mode->rises;
     x->way = tdmf_sign_of_slip(mode) != 0.0 ? tdmf_sign_of_slip(mode) : x->way;
-    x->liftoff_angle = mode->liftoff_angle;
     if (!tdmf_is_loaded(mode)) {
         x->swing = mode->phase == TDMF_PHASE_PLACE ? swing_place
                    : mode->clamp_closed            ? swing_rest
@@ -190,7 +189,6 @@ static void write_mode(tdmf_system system, const tdmf_page_point *point, int las
         mode->phase = x->swing > swing_retract ? TDMF_PHASE_PLACE : TDMF_PHASE_RETRACT;
     }
     mode->zone = tdmf_sign_of_slip(mode) != 0.0 ? (tdmf_zone)(int)x->segment : TDMF_ZONE_BEFORE;
-    mode->liftoff_angle = x->liftoff_angle;
     mode->mid_stance_pending = x->driving > 0.0;
     mode->clamp_closed = !tdmf_is_loaded(mode) && x->swing < swing_retract;
     mode->thrusts = x->thrusting > 0.0;

@@ -89,7 +89,6 @@ static tdmf_page_point point_at_start(tdmf_system system, tdmf_motion *motion) {
     memset(mode, 0, sizeof *mode);
     mode->contact = TDMF_CONTACT_FLIGHT;
     mode->phase = TDMF_PHASE_RETRACT; /* the page decides */
-    mode->liftoff_angle = motion->state[TDMF_LEG_ANGLE];
     mode->ground = tdmf_ground_line_set(system.inputs);
     mode->rest_length = tdmf_rest_length(system.model, system.inputs, mode);
     double given[TDMF_MECHANICAL_COUNT];
@@ -97,6 +96,7 @@ static tdmf_page_point point_at_start(tdmf_system system, tdmf_motion *motion) {
     memcpy(motion->state, tdmf_runner_model.state_defaults, sizeof motion->state);
     memcpy(motion->state + TDMF_FOOT_X, given, sizeof given);
     motion->state[TDMF_EVENT_LAST_TIME] = -DBL_MIN; /* an event at the start counts */
+    motion->state[TDMF_HIP_LIFTOFF_ANGLE] = motion->state[TDMF_LEG_ANGLE];
     motion->begun = motion->time;
     motion->clock_rest = 0.0;
     tdmf_page_point point = tdmf_page_of_motion(system, &tdmf_zero_input_rates, motion);

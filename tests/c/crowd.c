@@ -154,7 +154,7 @@ void assert_strides_by_hand(const crowd *crowd, int number, const strides_by_han
             read_apex(motion, apex);
             assert_all_close(noted->apex, apex, TDMF_SECTION_COUNT, 1e-7, 0.0);
             assert_same_stride(noted->stride, last_stride_of(motion), 1e-7);
-            assert_close(noted->liftoff_angle, motion->mode.liftoff_angle, 1e-7);
+            assert_close(noted->liftoff_angle, motion->state[TDMF_HIP_LIFTOFF_ANGLE], 1e-7);
         }
     }
     assert_int_equal(end->strides, by_hand->closed);

@@ -30,7 +30,6 @@ runner line_at(const line *line, double t) {
         moved.motion.state[i] += t * line->d_state[i];
     }
     moved.model = model_of(&parameters);
-    moved.motion.mode.liftoff_angle += t * line->d_state[TDMF_HIP_LIFTOFF_ANGLE];
     double *inputs = (double *)&moved.inputs;
     const double *of_inputs = (const double *)&line->seed.inputs;
     for (size_t i = 0; i < sizeof moved.inputs / sizeof *inputs; ++i) {

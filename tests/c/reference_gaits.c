@@ -61,7 +61,7 @@ void assert_reference_stride(const tdmf_motion *motion, const reference_gait *ga
     assert_relatively_close(stride.speed, gait->speed, tolerance);
     assert_relatively_close(stride.work, gait->work, tolerance);
     assert_relatively_close(stride.cost_of_transport, gait->cost_of_transport, tolerance);
-    assert_relatively_close(motion->mode.liftoff_angle, gait->liftoff_angle, tolerance);
+    assert_relatively_close(motion->state[TDMF_HIP_LIFTOFF_ANGLE], gait->liftoff_angle, tolerance);
     if (gait->stance_time > 0.0) {
         assert_relatively_close(stride.stance_time, gait->stance_time, tolerance);
         assert_close(stride.slip_distance, gait->slip_distance, tolerance);

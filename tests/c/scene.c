@@ -21,7 +21,7 @@ runner scene_on_ground(tdmf_contact_mode contact, double leg_angle, double verti
     runner.motion.state[TDMF_LEG_ANGLE] = leg_angle;
     runner.motion.mode.contact = contact;
     runner.motion.mode.phase = contact == TDMF_CONTACT_GRAZE ? TDMF_PHASE_RETRACT : TDMF_PHASE_COAST;
-    runner.motion.mode.liftoff_angle = leg_angle;
+    runner.motion.state[TDMF_HIP_LIFTOFF_ANGLE] = leg_angle;
     complete_mode(&runner);
     scene_set_vertical_force(&runner, vertical_force);
     return runner;
@@ -74,7 +74,7 @@ void scene_set_vertical_force(runner *runner, double vertical_force) {
 
 double scene_retract_law(const runner *runner) {
     const tdmf_parameters *p = &runner->model.parameters;
-    const double target = p->hip.liftoff_angle_factor * runner->motion.mode.liftoff_angle;
+    const double target = p->hip.liftoff_angle_factor * runner->motion.state[TDMF_HIP_LIFTOFF_ANGLE];
     return -p->hip.kp * (runner->motion.state[TDMF_LEG_ANGLE] - target) -
            p->hip.kd * runner->motion.state[TDMF_LEG_ANGLE_RATE];
 }
@@ -266,7 +266,7 @@ runner scene_random(random_source *source, tdmf_contact_mode contact) {
     random_state(source, &runner);
     const bool first = random_chance(source, 0.5);
     runner.motion.mode.contact = contact;
-    runner.motion.mode.liftoff_angle = random_uniform(source, -1.2, 1.2);
+    runner.motion.state[TDMF_HIP_LIFTOFF_ANGLE] = random_uniform(source, -1.2, 1.2);
     if (tdmf_is_loaded(&runner.motion.mode)) {
         runner.motion.mode.phase = first ? TDMF_PHASE_DRIVE : TDMF_PHASE_COAST;
         runner.motion.mode.mid_stance_pending = first;

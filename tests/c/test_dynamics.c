@@ -148,7 +148,7 @@ static double control_law(const runner *runner) {
     case TDMF_PHASE_COAST:
         return 0.0;
     case TDMF_PHASE_RETRACT: {
-        const double target = p->hip.liftoff_angle_factor * runner->motion.mode.liftoff_angle;
+        const double target = p->hip.liftoff_angle_factor * runner->motion.state[TDMF_HIP_LIFTOFF_ANGLE];
         const double servo = -p->hip.kp * (angle - target) - damping;
         return p->hip.swing_clamp ? fmax(servo, 0.0) : servo;
     }

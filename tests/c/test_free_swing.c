@@ -29,7 +29,8 @@ TEST(the_leg_converges_to_the_angle_aimed_at) {
         }
         begin(&run, &model, gait->friction, (const double *)&gait->apex);
         simulation_stride(&run);
-        assert_close(last_apex_of(&run.motion).leg_angle, 1.2 * run.motion.mode.liftoff_angle, 1e-2);
+        assert_close(last_apex_of(&run.motion).leg_angle, 1.2 * run.motion.state[TDMF_HIP_LIFTOFF_ANGLE],
+                     1e-2);
     }
 }
 
@@ -217,7 +218,7 @@ TEST(in_flight_the_clamp_is_what_the_model_says) {
     assert_false(run.motion.mode.clamp_closed);
     const double *at = run.motion.state;
     assert_close(OUTPUTS_OF(&run).hip.torque,
-                 -0.1 * (at[TDMF_LEG_ANGLE] - 1.2 * run.motion.mode.liftoff_angle) -
+                 -0.1 * (at[TDMF_LEG_ANGLE] - 1.2 * run.motion.state[TDMF_HIP_LIFTOFF_ANGLE]) -
                      0.1 * at[TDMF_LEG_ANGLE_RATE],
                  1e-15);
     run.model = with;

@@ -31,7 +31,7 @@ static void raise_foot(runner *runner, double height) {
 static void set_retract_argument(runner *runner, double distance) {
     const double argument = runner->motion.mode.clamp_closed ? -distance : distance;
     const double spring =
-        -0.1 * (runner->motion.state[TDMF_LEG_ANGLE] - 1.2 * runner->motion.mode.liftoff_angle);
+        -0.1 * (runner->motion.state[TDMF_LEG_ANGLE] - 1.2 * runner->motion.state[TDMF_HIP_LIFTOFF_ANGLE]);
     runner->motion.state[TDMF_LEG_ANGLE_RATE] = (spring - argument) / 0.1;
 }
 
@@ -89,7 +89,7 @@ TEST(guards_off_the_ground_watch_height_clamp_and_fall) {
     assert_guards(falling, TDMF_GUARD_TOUCHDOWN, raise_foot, margin);
     assert_guards(rising, TDMF_GUARD_TOUCHDOWN, raise_foot, margin);
     assert_guards(falling, TDMF_GUARD_LEG_TOO_SHORT, set_spare_length, margin);
-    rising.motion.mode.liftoff_angle = -0.4;
+    rising.motion.state[TDMF_HIP_LIFTOFF_ANGLE] = -0.4;
     for (int closed = 0; closed < 2; ++closed) {
         rising.motion.mode.clamp_closed = closed == 1;
         assert_guards(rising, TDMF_GUARD_CLAMP, set_retract_argument, margin);

@@ -12,7 +12,7 @@ static void start(runner *runner) {
     runner->motion.state[TDMF_EVENT_COUNT] = 99; /* left by an earlier run */
     runner->motion.state[TDMF_STRIDE_COUNT] = 99;
     assert_null(tdmf_start(SYSTEM_OF(runner), &runner->motion).variable);
-    assert_true(runner->motion.mode.liftoff_angle == runner->motion.state[TDMF_LEG_ANGLE]);
+    assert_true(runner->motion.state[TDMF_HIP_LIFTOFF_ANGLE] == runner->motion.state[TDMF_LEG_ANGLE]);
     assert_int_equal(runner->motion.state[TDMF_STRIDE_COUNT], 0);
     assert_string_equal(last_stride_of(&runner->motion).word, "");
     assert_true(last_event_of(&runner->motion) == start_time);

@@ -365,7 +365,7 @@ TEST(a_second_stride_counts_its_own_work_only) {
     assert_true(outputs.apex.com_height == outputs.com.y && outputs.apex.com_speed == outputs.com.vx);
     assert_true(outputs.apex.time == runner.motion.time && outputs.event.last_time == runner.motion.time);
     assert_true(outputs.energy.impact_loss == runner.motion.state[TDMF_ENERGY_IMPACT_LOSS]);
-    assert_true(outputs.hip.liftoff_angle == runner.motion.mode.liftoff_angle);
+    assert_true(outputs.hip.liftoff_angle == runner.motion.state[TDMF_HIP_LIFTOFF_ANGLE]);
     assert_int_equal(stride.count, 2);
     assert_close(stride.work, runner.motion.state[TDMF_HIP_WORK] - work, 1e-15);
     assert_close(stride.positive_work, runner.motion.state[TDMF_HIP_POSITIVE_WORK] - positive, 1e-15);

@@ -192,13 +192,13 @@ TEST(sticking_impact_that_slips_at_once) {
 TEST(impact_that_leaves_at_once_stays_in_its_phase) {
     for (int phase = RETRACT; phase <= PLACE; ++phase) {
         runner runner = scene_at_impact((tdmf_hip_phase)phase, -0.3, -0.05);
-        runner.motion.mode.liftoff_angle = 0.9;
+        runner.motion.state[TDMF_HIP_LIFTOFF_ANGLE] = 0.9;
         runner.motion.state[TDMF_LEG_LENGTH_RATE] += phase == PLACE ? 0.005 : 0.1;
         const double before = tdmf_center_of_mass(&runner.model, runner.motion.state).vy;
         enter(&runner, 1, FLIGHT, phase);
         assert_int_equal(runner.motion.state[TDMF_STRIDE_TOUCHDOWNS_SO_FAR], 1);
         assert_true(runner.motion.state[TDMF_STRIDE_WORD_SO_FAR] == 0.0);
-        assert_true(runner.motion.mode.liftoff_angle == -0.3);
+        assert_true(runner.motion.state[TDMF_HIP_LIFTOFF_ANGLE] == -0.3);
         assert_close(runner.motion.state[TDMF_FOOT_VY], 0.0, 1e-15);
         if (phase == PLACE) {
             assert_true(before < 0.0 && tdmf_center_of_mass(&runner.model, runner.motion.state).vy > 0.0);
@@ -218,9 +218,9 @@ TEST(impact_that_leaves_at_once_stays_in_its_phase) {
 /* The stretched leg lifts the foot, the hip, which swings the leg forward, holds it down. */
 TEST(impact_into_graze) {
     runner runner = scene_at_impact(TDMF_PHASE_PLACE, -0.3, -0.02);
-    runner.motion.mode.liftoff_angle = 0.9;
+    runner.motion.state[TDMF_HIP_LIFTOFF_ANGLE] = 0.9;
     enter(&runner, 1, GRAZE, PLACE);
-    assert_true(runner.motion.mode.liftoff_angle == -0.3);
+    assert_true(runner.motion.state[TDMF_HIP_LIFTOFF_ANGLE] == -0.3);
     assert_close(runner.motion.state[TDMF_FOOT_VX], 0.0, 0.0);
 }
 
@@ -273,7 +273,7 @@ TEST(clamp_opens_and_closes_uncounted) {
 
 static runner lifting_off(double angle_rate, double com_vy) {
     runner runner = scene_on_ground(TDMF_CONTACT_STICK, -0.45, 0.0);
-    runner.motion.mode.liftoff_angle = 0.9; /* left by an earlier stance */
+    runner.motion.state[TDMF_HIP_LIFTOFF_ANGLE] = 0.9; /* left by an earlier stance */
     runner.motion.state[TDMF_LEG_ANGLE_RATE] = angle_rate;
     scene_set_com_vy_by_leg(&runner, com_vy);
     scene_set_vertical_force(&runner, beyond);
@@ -296,7 +296,7 @@ TEST(lift_off_goes_by_the_law_of_flight) {
         runner runner = lifting_off(cases[i].angle_rate, cases[i].com_vy);
         assert_true(enter(&runner, 1, cases[i].contact, cases[i].phase).mode_changed);
         assert_true(runner.motion.mode.clamp_closed == cases[i].clamp_closed);
-        assert_true(runner.motion.mode.liftoff_angle == -0.45);
+        assert_true(runner.motion.state[TDMF_HIP_LIFTOFF_ANGLE] == -0.45);
     }
 }
 
@@ -454,17 +454,17 @@ TEST(graze_ends_where_the_foot_is_loaded) {
     for (size_t i = 0; i < COUNT_OF(cases); ++i) {
         runner runner = grazing(cases[i].force, cases[i].vx);
         enter(&runner, cases[i].events, cases[i].contact, cases[i].phase);
-        assert_true(runner.motion.mode.liftoff_angle == -0.45);
+        assert_true(runner.motion.state[TDMF_HIP_LIFTOFF_ANGLE] == -0.45);
     }
 }
 
 /* The torque of the flight law, which was swinging the leg forward, has gone: it lifts too. */
 TEST(graze_to_flight_keeps_the_angle_of_lift_off) {
     runner runner = grazing(-1e-3, 0.1);
-    runner.motion.mode.liftoff_angle = -0.4;
+    runner.motion.state[TDMF_HIP_LIFTOFF_ANGLE] = -0.4;
     runner.motion.state[TDMF_LEG_ANGLE_RATE] = 0.5;
     enter(&runner, 1, FLIGHT, RETRACT);
-    assert_true(runner.motion.mode.liftoff_angle == -0.4 && runner.motion.mode.clamp_closed);
+    assert_true(runner.motion.state[TDMF_HIP_LIFTOFF_ANGLE] == -0.4 && runner.motion.mode.clamp_closed);
 }
 
 /* The phase follows the centre of mass, but a stride closes in flight only. */

@@ -81,7 +81,7 @@ static row started(const double *state, double liftoff_angle) {
 static row start_of(const runner *at) {
     runner begun = *at;
     runner_start(&begun);
-    return started(begun.motion.state, begun.motion.mode.liftoff_angle);
+    return started(begun.motion.state, begun.motion.state[TDMF_HIP_LIFTOFF_ANGLE]);
 }
 
 /* Along what leaves a foot that is at the ground or put on it there, and a thrust of 0 as it is. */

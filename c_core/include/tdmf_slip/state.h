@@ -49,7 +49,6 @@ typedef struct {
     tdmf_contact_mode contact;  /* contact mode of the foot */
     tdmf_hip_phase phase;       /* phase of the hip's control law */
     tdmf_zone zone;             /* slip: what it slips on; changed by events only; else TDMF_ZONE_BEFORE */
-    double liftoff_angle;       /* theta_LO, rad */
     bool mid_stance_pending;    /* this stance began with theta >= 0 and has not passed upright yet; one that
                                    begins upright, with theta falling, has */
     bool clamp_closed;          /* flight, retract, with hip.swing_clamp: the clamp in (12) holds the torque
