@@ -55,6 +55,8 @@ TEST(rates_are_numbers_of_inputs_and_set_in_their_states) {
     const fmi2ValueReference torque = reference_of("hip.external_torque");
     const double still = 0.0;
     fmi2Component slave = new_slave(), exchange = new_instance();
+    assert_int_equal(set_rate(exchange, "hip.external_torque", 1, still), fmi2Error);
+    assert_non_null(strstr(last_message, "not allowed in Model Exchange"));
     start_running(exchange);
     assert_int_equal(set_rate(slave, "hip.external_torque", 1, still), fmi2OK);
     initialize(slave);
