@@ -2,7 +2,6 @@
 #include "run.h"
 
 #include <limits.h>
-#include <string.h>
 
 /* ---- places of values ---------------------------------------------------------------------------------- */
 

@@ -136,7 +136,7 @@ static double time_scale_of(const instance *fmu) {
 
 /* ---- the driver ---------------------------------------------------------------------------------------- */
 
-/* Brings a run of the page to the part of it, where its mode has the number `mode`. `p` and `x` are for the
+/* Moves a run from the page to its part, where the run's mode has the number `mode`. `p` and `x` receive the
  * part's parameters and states. */
 static void go_to_part(tdmf_page_run *run, int mode, double *p, double *x) {
     tdmf_take_parameters(unit_part, run->p, p);
@@ -165,7 +165,7 @@ static void give_log(tdmf_page_run *run, const double *whole) {
     }
 }
 
-/* Brings a run back to the page, where it was `whole`. */
+/* Moves a run from the part back to the page. `whole` is the run before it was moved to the part. */
 static void return_from_part(tdmf_page_run *run, const tdmf_page_run *whole) {
     give_log(run, whole->x);
     tdmf_give_states(unit_part, run->x, whole->x);
@@ -178,9 +178,9 @@ static void return_from_part(tdmf_page_run *run, const tdmf_page_run *whole) {
     run->late = tdmf_events_in_whole(unit_part, run->late);
 }
 
-/* Runs the driver up to a limit of steps or events; `run` has its log and its limit of events. Gives a run up
- * as stiff if it takes very many steps in a short time. It runs on the part of the page if the part has
- * everything that acts. Starts, in the first mode, write states that the part may lack. */
+/* Runs the driver up to a limit of steps or events; `run` has its log and its limit of events. A run
+ * that takes very many steps in a short time is given up as stiff. The run is on the part of the page if the
+ * part has everything that acts. Starts, in the first mode, write states that the part may lack. */
 static tdmf_run_outcome drive_on(instance *fmu, double until, tdmf_page_run *run) {
     const tdmf_page_run whole = *run;
     const int mode = unit_part == NULL || run->mode == 0 ? -1 : tdmf_mode_on_part(unit_part, run->mode);
@@ -208,7 +208,7 @@ static tdmf_run_outcome drive_on(instance *fmu, double until, tdmf_page_run *run
     return outcome;
 }
 
-/* Puts the run just before an event that it has taken, with the states of then. */
+/* Moves the run back to just before an event that it has taken, with the states at that time. */
 static void return_to_event(instance *fmu, const unit_motion *before, const tdmf_event_row *row,
                             const double *states) {
     unit_motion *motion = &fmu->run.motion;

@@ -194,7 +194,7 @@ int number_of_bit(unsigned bit);
 
 /* ---- access.c: variables ------------------------------------------------------------------------------- */
 
-/* The place of a variable's value. */
+/* The place of a variable's value. It is never written through a constant instance. */
 double *place_of(const instance *fmu, fmu_storage storage, size_t offset);
 
 /* The storage of a variable's value: before the run, the view has states that the start calculates. */

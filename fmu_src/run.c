@@ -386,8 +386,6 @@ static double clock_rounding(double time, double step) {
     return 16.0 * DBL_EPSILON * fabs(time) + 1e-6 * step;
 }
 
-/* Steps without event mode: the unit locates and takes events inside a step, and the step ends where the
- * importer wants it. */
 call_status make_step(instance *fmu, double time, double step, bool stop_at_event) {
     char length[NUMBER_CAPACITY], clock[NUMBER_CAPACITY];
     if (!(step > 0.0 && is_time(time + step))) {

@@ -70,7 +70,7 @@ static const field fields[] = {
     FIELD("the time", FIELD_DOUBLE, time, -largest_time, largest_time),
     FIELD("the time", FIELD_DOUBLE, epoch, -largest_time, largest_time),
     FIELD("a start value", FIELD_DOUBLE, starts, -fmu_largest_sum, fmu_largest_sum),
-    FIELD("the importer's tolerance", FIELD_DOUBLE, importer_tolerance, DBL_MIN *DBL_EPSILON, INFINITY),
+    FIELD("the importer's tolerance", FIELD_DOUBLE, importer_tolerance, (DBL_MIN * DBL_EPSILON), INFINITY),
     FIELD("the stop time", FIELD_DOUBLE, stop_time, -DBL_MAX, INFINITY),
     FIELD("a rate", FIELD_DOUBLE, accounted_rates, -DBL_MAX, DBL_MAX),
     FIELD("the time", FIELD_DOUBLE, accounted_time, -largest_time, largest_time),

@@ -19,7 +19,7 @@ typedef struct {
 
 /* A word: digits of a number in the base of its alphabet, the first letter the most significant one. */
 typedef struct {
-    fmu_storage storage; /* of the number, as a variable's */
+    fmu_storage storage; /* of the number, which is stored as that of a variable */
     size_t offset;
     const char *alphabet;
 } unit_word;

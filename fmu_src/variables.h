@@ -34,7 +34,7 @@ typedef enum {
     VARIABLE_STRING = 1 << 4
 } fmu_variable_type;
 
-/* The array of an instance that has a variable's value: up to STORED_START one of the run. */
+/* The array of an instance that holds a variable's value. Up to STORED_START it belongs to the run. */
 typedef enum {
     STORED_TIME,
     STORED_PARAMETER,
@@ -62,7 +62,7 @@ typedef struct {
     const char *unit;
     fmu_variable_type type;
     fmu_storage storage;
-    size_t offset; /* index in the array that the storage names */
+    size_t offset; /* index in the array that the storage names; of a word, its number */
     fmu_variability variability;
     bool settable_before_start;
     bool changes_at_events; /* FMI's reinit: a state that an event may make jump */

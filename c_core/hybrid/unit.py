@@ -386,7 +386,7 @@ class Unit:
 
 
 def unit_of(model, version="0"):
-    """The unit of a page, with its identity, and its C by file, but for what no page changes."""
+    """The unit of a page, with its identity, and by file the C that depends on the page."""
     unit = Unit(Page(model))
     texts = generate(unit.page) | {"unit_page.h": header(unit), "unit_page.c": tables(unit)}
     forget_expressions()

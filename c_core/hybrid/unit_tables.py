@@ -81,7 +81,7 @@ def bounds(unit):
 
 
 def numbers(unit):
-    """Rows of the numbers of a run, parameters and states: names for messages, and what they may ever be.
+    """Rows of the numbers of a run, parameters and states: names for messages, and ranges.
 
     States that move may go far beyond the range of starts, and sums beyond any state.
     """

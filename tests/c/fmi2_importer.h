@@ -1,4 +1,4 @@
-/* The smallest importer that can tell what an FMI 2.0 unit said. */
+/* A minimal importer of FMI 2.0 units, which records their messages. */
 #ifndef TDMF_TESTS_FMI2_IMPORTER_H
 #define TDMF_TESTS_FMI2_IMPORTER_H
 

@@ -1,4 +1,4 @@
-/* The smallest importer that can tell what an FMI 3.0 unit said. */
+/* A minimal importer of FMI 3.0 units, which records their messages. */
 #ifndef TDMF_TESTS_FMI3_IMPORTER_H
 #define TDMF_TESTS_FMI3_IMPORTER_H
 

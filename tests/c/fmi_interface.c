@@ -5,7 +5,6 @@
 #include "tdmf_slip/state.h"
 #include "variables.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <string.h>
 

@@ -170,13 +170,13 @@ typedef struct {
     size_t size;
 } serialized;
 
-/* The state of an instance, saved; asserts that there is room. */
+/* Saves the state of an instance; asserts that there is room. */
 serialized serialize(const fmi_interface *fmi, void *instance);
 
-/* Restores a state. If it is refused, nothing that is saved is left. */
+/* Restores a state; asserts that nothing is left to be freed if the state is refused. */
 fmi_status restore(const fmi_interface *fmi, void *instance, const serialized *state);
 
-/* Restores in one instance what is saved of another. */
+/* Restores the state of one instance in another. */
 fmi_status copy_state(const fmi_interface *fmi, void *from, void *to);
 
 /* Asserts that the state of an instance is this one, bit for bit. */

@@ -5,11 +5,9 @@
 #include "integrate.h"
 
 #include "tdmf_slip/tdmf_slip.h"
-#include "variables.h"
 
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
 
 /* The leg swings once in about two units of time in flight; the default gait lands much later. */
 static const double duration = 6.0;

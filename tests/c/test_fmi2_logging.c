@@ -10,7 +10,6 @@
 #include "variables.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -163,7 +162,7 @@ TEST(every_event_of_a_step_is_logged_with_its_time) {
 }
 
 /* An event that the importer takes gives the same message as one that the unit takes itself. */
-TEST(an_event_is_told_alike_in_event_mode) {
+TEST(an_event_is_reported_alike_in_event_mode) {
     static char expected[EVENTS_OF_TEN_STRIDES][MESSAGE_LENGTH];
     stepped(fmi2True, SOLVER_NATIVE, ten_strides);
     memcpy(expected, messages, sizeof expected);

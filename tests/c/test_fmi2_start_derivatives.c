@@ -9,7 +9,6 @@
 #include "variables.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 enum { MAX_VARIABLES = 160 };

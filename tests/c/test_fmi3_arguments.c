@@ -10,7 +10,6 @@
 #include "tdmf_slip/tdmf_slip.h"
 #include "variables.h"
 
-#include <float.h>
 #include <limits.h>
 #include <math.h>
 #include <stdio.h>
@@ -18,8 +17,7 @@
 
 /* A Model Exchange instance in continuous-time mode. */
 static void *running(const fmi_interface *fmi) {
-    void *instance = begun(fmi, EXCHANGE, "");
-    return instance;
+    return begun(fmi, EXCHANGE, "");
 }
 
 /* ---- counts and references ---------------------------------------------------------------------------- */

@@ -260,8 +260,12 @@ TEST(a_contact_in_the_air_is_refused) {
     assert_refused(STEPS, &state, "foot.y");
 }
 
-/* A state of the call sequence that the interface lacks, one that runs without having begun, a pending event
- * of an interface, in a state or with a truth value that has none. */
+/* Four kinds of contradictions:
+ *
+ * - The interface lacks the state of the call sequence.
+ * - The run goes on without having begun, or has begun but does not run.
+ * - An event is pending in an interface without pending events.
+ * - Whether an event is pending is neither 0 nor 1. */
 TEST(a_state_that_contradicts_itself_is_refused) {
     static const char call_state[] = "the state of the call sequence", event[] = "the pending event";
     static const struct {
@@ -284,8 +288,7 @@ TEST(a_state_that_contradicts_itself_is_refused) {
                  {STEPS_WITH_EVENTS, FORGE_CONTENT, {MODEL_EXCHANGE, EVENT_MODE}, event},
                  {STEPS_WITH_EVENTS, FORGE_PENDING, {2, -1}, event}};
     for (size_t i = 0; i < COUNT_OF(cases); ++i) {
-        serialized state;
-        state = serialize(&fmi3, new_on_its_way(cases[i].kind));
+        serialized state = serialize(&fmi3, new_on_its_way(cases[i].kind));
         memcpy(state.bytes + cases[i].offset, cases[i].bytes, (cases[i].bytes[1] < 0 ? 1 : 2) * sizeof(int));
         assert_refused(cases[i].kind, &state, cases[i].reason);
     }
@@ -305,8 +308,7 @@ TEST(an_event_far_from_its_guard_is_not_pending) {
 }
 
 TEST(a_run_that_has_not_begun_does_not_run) {
-    serialized state;
-    state = serialize(&fmi3, new_that_logs(STEPS));
+    serialized state = serialize(&fmi3, new_that_logs(STEPS));
     const int running = STEP_MODE;
     memcpy(state.bytes + FORGE_CALL_STATE, &running, sizeof running);
     assert_refused(STEPS, &state, "the state of the call sequence");
@@ -360,8 +362,7 @@ TEST(a_full_counter_stays_full) {
 
 /* Every byte of the header is looked at, whether or not the checksum covers it. */
 TEST(a_header_that_is_not_ours_is_refused) {
-    serialized good;
-    good = serialize(&fmi3, new_on_its_way(STEPS));
+    serialized good = serialize(&fmi3, new_on_its_way(STEPS));
     fmi3Instance instance = new_on_its_way(STEPS);
     for (size_t i = 0; i < FORGE_CONTENT; ++i) {
         serialized bad = good;

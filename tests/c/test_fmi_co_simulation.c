@@ -172,7 +172,7 @@ FMI_TEST(strides_do_not_depend_on_the_start_time) {
     }
 }
 
-FMI_TEST(a_fall_is_told_freezes_and_stays_readable) {
+FMI_TEST(a_fall_is_reported_freezes_and_stays_readable) {
     for (fmi_kind kind = STEPS; kind < fmi->kinds; ++kind) {
         void *instance = new_of_kind(fmi, kind);
         assert_int_equal(fmi->set_logging(instance, true, 1, events_category), FMI_OK);

@@ -7,7 +7,6 @@
 
 #include <float.h>
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 static const fmi_experiment from_zero = {.start = 0.0};
@@ -19,8 +18,7 @@ static void *in_initialization(const fmi_interface *fmi) {
 }
 
 static void *in_continuous_time_mode(const fmi_interface *fmi) {
-    void *instance = begun(fmi, EXCHANGE, "");
-    return instance;
+    return begun(fmi, EXCHANGE, "");
 }
 
 /* ---- values ------------------------------------------------------------------------------------------- */

@@ -6,7 +6,6 @@
 #include "fmi_interface.h"
 #include "tdmf_slip/tdmf_slip.h"
 
-#include <math.h>
 #include <string.h>
 
 static const fmi_experiment from_zero = {.start = 0.0};
