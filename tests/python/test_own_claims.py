@@ -1,5 +1,6 @@
 """Claims of this project: their commands parse, stored values bear them out, the page shows stored values."""
 
+import math
 import os
 from pathlib import Path
 
@@ -105,7 +106,14 @@ def test_a_row_is_above_its_control_where_the_intervals_are_apart():
     assert Row(higher, lower).meets(above) and Row(lower, higher).meets(below)
     assert Row(higher, lower).meets("1.4 < value / control < 1.6")
     assert not Row(higher, between).meets(above) and not Row(between, higher).meets(below)
-    for row in (Row("no gait", lower), Row(lower, "no gait"), Row(lower, None)):
+    nan = Estimate.exact(math.nan)
+    for row in (
+        Row("no gait", lower),
+        Row(lower, "no gait"),
+        Row(lower, None),
+        Row(nan, lower),
+        Row(lower, nan),
+    ):
         assert not row.meets(above) and not row.meets(f"not {above}")
 
 

@@ -117,8 +117,11 @@ class Row:
         return str(self.value) if self.control is None else f"{self.value} / {self.control}"
 
     def meets(self, relation: str) -> bool:
-        """True if a relation such as `value < control` is met; false if it lacks a number."""
-        numbers = {name: cell for name, cell in vars(self).items() if isinstance(cell, Estimate)}
+        """True if a relation such as `value < control` is met; false if a number is missing or NaN."""
+        cells = vars(self).items()
+        numbers = {
+            name: cell for name, cell in cells if isinstance(cell, Estimate) and not math.isnan(cell.value)
+        }
         try:
             return bool(eval(relation, {}, numbers))
         except NameError:
