@@ -29,7 +29,7 @@ MAX_PANELS = 8
 
 
 def figure_of(run: xarray.Dataset) -> Figure:
-    """A run of the runner over time, shaded by contact mode; of another model all that moves."""
+    """A run over time, with contact modes as shades; for a model of your own, all variables that move."""
     missing = {MODE, *(name for _, curves in PANELS for name, _ in curves)} - set(run.variables)
     if missing and run.model not in MODELS:
         return of_trajectory(run)

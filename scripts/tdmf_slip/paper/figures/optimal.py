@@ -1,8 +1,8 @@
 """Optimal runners at each friction and one speed: the cheapest one, and the one that slips least.
 
-Touchdown angle, hip torque and leg thrust are varied. Where the second runner slips
-less, the slip of the cheapest one could be avoided. Where no runner has to
-slip, many do not, and the search finds an arbitrary one of them: only its slip is drawn.
+Touchdown angle, hip torque and leg thrust are varied. Where the second runner slips less, the slip of the
+cheapest one could be avoided. At high friction many runners do not slip at all. The search finds an arbitrary
+one of them, so the figure shows only its slip.
 """
 
 from collections.abc import Iterator, Sequence
@@ -98,7 +98,8 @@ def _starts(space: Space, runner: Runner, near: Sequence[Optimum]) -> Iterator[G
 def draw(results: Results) -> Figure:
     """Draw cost and slip of both runners against friction, and the drive of the cheapest one.
 
-    Runners that are not shown to be optima are left out, and one of many that do not slip has only its slip.
+    Runners that are not shown to be optima are left out. A second runner that does not slip is one of many.
+    Only its slip is drawn.
     """
     figure, panels = style.subplots(2, 2, figsize=(9.2, 6.2), sharex=True)
     (cost, angle), (slip, drive) = panels
