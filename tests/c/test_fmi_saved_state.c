@@ -31,6 +31,45 @@ static void assert_same(const fmi_interface *fmi, void *a, void *b) {
     }
 }
 
+/* Asserts that an instance whose values were read before shows those of a twin, whose values were not. */
+static void assert_up_to_date(const fmi_interface *fmi, void *instance) {
+    void *twin = new_of_kind(fmi, EXCHANGE);
+    assert_int_equal(copy_state(fmi, instance, twin), FMI_OK);
+    assert_same(fmi, instance, twin);
+}
+
+FMI_TEST(values_are_up_to_date_after_each_call) {
+    const fmi_experiment late = {.start = 3.0};
+    double states[CONTINUOUS_STATES];
+    update_answer answer;
+    bool asks, terminate;
+    void *instance = new_of_kind(fmi, EXCHANGE);
+    assert_up_to_date(fmi, instance);
+    set_values(fmi, instance, "foot.y=0 foot.vx=0 foot.vy=0 leg.angle=0.1 leg.length=0.9 ground.friction=10");
+    assert_up_to_date(fmi, instance);
+    assert_int_equal(fmi->enter_initialization(instance, &late), FMI_OK);
+    assert_up_to_date(fmi, instance);
+    assert_int_equal(fmi->exit_initialization(instance), FMI_OK);
+    assert_up_to_date(fmi, instance);
+    update_and_go_on(fmi, instance, EXCHANGE);
+    assert_int_equal(fmi->get_states(instance, states, CONTINUOUS_STATES), FMI_OK);
+    states[STATE_LEG_LENGTH] = 1.5;
+    assert_int_equal(fmi->set_time(instance, 3.5), FMI_OK);
+    assert_up_to_date(fmi, instance);
+    assert_int_equal(fmi->set_states(instance, states, CONTINUOUS_STATES), FMI_OK);
+    assert_up_to_date(fmi, instance);
+    assert_int_equal(fmi->complete_step(instance, &asks, &terminate), FMI_OK);
+    assert_up_to_date(fmi, instance);
+    assert_int_equal(fmi->enter_event_mode(instance), FMI_OK);
+    set_values(fmi, instance, "ground.friction=0.3 hip.external_torque=0.1");
+    assert_up_to_date(fmi, instance);
+    assert_int_equal(fmi->update(instance, &answer), FMI_OK);
+    assert_int_equal(integer_of(fmi, instance, "event.count"), 1);
+    assert_up_to_date(fmi, instance);
+    assert_int_equal(fmi->reset(instance), FMI_OK);
+    assert_up_to_date(fmi, instance);
+}
+
 /* Steps of 0.03 stop in every mode of the stance, the graze of 0.08 included. */
 FMI_TEST(co_simulation_goes_on_as_if_never_stopped) {
     bool seen[TDMF_CONTACT_GRAZE + 1] = {false};
