@@ -10,6 +10,7 @@ from conftest import RELEASE
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from tdmf_slip import Batch, InputError, Runner, continue_branch, find_gait, gait_at, plot
 from tdmf_slip.analysis.along import gaits_over
+from tdmf_slip.analysis.sweeps import gaits_in
 from tdmf_slip.library.engine import FATES
 from tdmf_slip.library.fixed_point import gait_near
 from tdmf_slip.pictures.branch_diagram import figure_of, values_of
@@ -171,6 +172,15 @@ def test_gaits_and_pictures_have_the_values_that_vary():
     assert found.runner == Runner("human").replace({"leg.stiffness": found.runner["leg.stiffness"]})
     assert found.runner["leg.stiffness"] == branch["leg.stiffness"].values[1]
     assert plot(branch).axes[0].get_ylabel() == "apex.com_speed (m/s)"
+
+
+def test_all_points_have_the_parameter_of_their_gait():
+    """Also word borders and unclassified points, where the gait is the one just beyond."""
+    branch = continue_branch({FRICTION: 10.0}, {"hip.stance_torque": (0.2, 0.05)}, switch=False)
+    found = gaits_in(branch)
+    assert [gait.word for gait in found] == branch["word"].values.tolist()
+    assert max(gait.error for gait in found) < 1e-9
+    assert {"word border", "unclassified"} <= set(branch["special"].values)
 
 
 def test_a_gait_is_on_the_branch_of_its_own_model_only():

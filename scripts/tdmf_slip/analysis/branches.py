@@ -70,7 +70,7 @@ class Branch(NamedTuple):
 def _dataset(name: str, branches: Sequence[Branch]) -> xarray.Dataset:
     """A branch and those of more strides that begin on it, see `continue_branch`."""
     rows = [row for branch in branches for row in branch.rows]
-    values, gaits, specials = zip(*rows, strict=True)
+    _, gaits, specials = zip(*rows, strict=True)
     runner, points = gaits[0].runner, {"point": np.arange(len(rows), dtype=float)}
     data = gaits_dataset("branch", gaits, points, varied=[name], over=name)
     apexes = np.full((len(rows), max(branch.strides for branch in branches), len(runner.coordinates)), np.nan)
@@ -95,10 +95,7 @@ def _dataset(name: str, branches: Sequence[Branch]) -> xarray.Dataset:
         "apexes": (("point", "stride", "coordinate"), apexes),
         **{text: (over, np.array(row, dtype=object)) for text, (over, row) in texts.items()},
     }
-    labels: dict[str, Any] = {
-        name: ("point", np.array(values), runner.model.variables[name].attributes),
-        "coordinate": list(runner.coordinates),
-    }
+    labels = {"coordinate": list(runner.coordinates)}
     ends = {"began": branches[0].began, "ended": branches[0].ended}
     return data.assign(variables).assign_coords(labels).assign_attrs(ends)
 
@@ -142,8 +139,8 @@ def continue_branch(
         `unstable`, the number of eigenvalues outside the unit circle, and `special`, empty at most points,
         else `fold`, `period doubling`, `Neimark-Sacker`, `word border` or `unclassified`. `why` says why a
         point is unclassified, and `between` has the values of the gaits on both sides. `before` and `after`
-        are the words where they change. At a word border or an unclassified point the gait is the one just
-        beyond.
+        are the words where they change. At a word border or an unclassified point, the parameter and the
+        quantities are those of the gait just beyond.
 
         Branches of more strides follow in the same table; `branch_number` is the branch of a point. Over
         `branch`: `branch_strides`, after which its gaits repeat themselves, and why it has no earlier and no
