@@ -42,7 +42,7 @@ FMI_TEST(values_are_up_to_date_after_each_call) {
     const fmi_experiment late = {.start = 3.0};
     double states[CONTINUOUS_STATES];
     update_answer answer;
-    bool asks, terminate;
+    bool asks = false, terminate = false;
     void *instance = new_of_kind(fmi, EXCHANGE);
     assert_up_to_date(fmi, instance);
     set_values(fmi, instance, "foot.y=0 foot.vx=0 foot.vy=0 leg.angle=0.1 leg.length=0.9 ground.friction=10");
