@@ -20,7 +20,7 @@ def allowed(within):
 
 
 def empty(name):
-    """The row of a table of C that has none; a row of a struct is in braces."""
+    """The only row of a table in C that would have none. A row of a struct is in braces."""
     return ["{0},"] if name.startswith("unit_") else ["0,"]
 
 
@@ -153,7 +153,7 @@ def times(unit):
 
 
 def immediate_events(unit):
-    """Events whose guards are below zero for ever, as bits: only their conditions make them due."""
+    """Events whose guards are always below zero, as bits: their conditions alone make them due."""
     page, found = unit.page, 0
     for number, name in enumerate(page.events):
         keys = [key for key in page.keys if name in page.watched(key)]

@@ -13,7 +13,7 @@ OPERATIONS = {
     "sin": math.sin, "cos": math.cos, "atan2": math.atan2, "abs": abs, "expm1": math.sin, "exp": math.cos,
     "sqrt": lambda x: math.sqrt(abs(x)), "log": lambda x: math.sqrt(abs(x)), "log1p": lambda x: x * x,
 }  # fmt: skip
-"""Operations at any number: where one is not defined everywhere, another function is as good."""
+"""Operations that are defined for any number. Replacements serve as well, because only dependence matters."""
 
 
 class World:
@@ -82,7 +82,7 @@ class World:
     def dependencies(self, values_in):
         """Names of states, inputs and settings that values depend on in any mode, by the values' names.
 
-        Also the values' names that depend on something that moves.
+        Also returns the names of the values that depend on something that moves.
         """
         found, moves = {}, set()
         for key in self.page.keys:
@@ -134,7 +134,8 @@ class World:
     def evaluated(self, nodes, numbers, weights):
         """Numbers of expressions. A selection is a mixture, which depends on all that decides it.
 
-        Constants that are very large or small are others of ordinary size, beside which no change is lost.
+        Very large and very small constants are replaced by ones of ordinary size, so that rounding hides no
+        change.
         """
         found = {}
         for i, node in enumerate(nodes):
