@@ -101,7 +101,7 @@ def searched(problem: Problem, begin: Vector, fixed: int | None = None, change: 
 
 
 def _least_squares(
-    of: "Problem | Across",
+    problem: "Problem | Across",
     origin: Vector,
     begin: Vector,
     free: NDArray[np.bool_],
@@ -109,19 +109,22 @@ def _least_squares(
     tries: int,
     **loss: Any,
 ) -> tuple[Vector, Any]:
-    """Unknowns at the end of SciPy's search for their distance from an origin, and its report."""
+    """Run SciPy's `least_squares` over the distances of the free unknowns from an origin.
+
+    Returns all unknowns at the end of the search, and SciPy's result.
+    """
     from scipy.optimize import least_squares  # slow to load
 
     def at(step: Vector) -> Vector:
         there = origin.copy()
         there[free] += step
-        return np.clip(there, *of.bounds)
+        return np.clip(there, *problem.bounds)
 
     found: Any = least_squares(
-        lambda step: of.residuals(at(step)),
+        lambda step: problem.residuals(at(step)),
         begin[free],
-        lambda step: of.jacobian(at(step))[:, free],
-        bounds=(of.bounds - origin)[:, free],
+        lambda step: problem.jacobian(at(step))[:, free],
+        bounds=(problem.bounds - origin)[:, free],
         method="trf",
         ftol=change,
         xtol=change,

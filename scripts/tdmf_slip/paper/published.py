@@ -62,12 +62,16 @@ NARROW = 1.001
 
 
 Judge = Callable[[Evidence], Finding]
+"""Compares the evidence for one reading with a statement."""
 STATEMENTS: list[tuple[Claim, Judge]] = []
 """The statements about the paper's runner, and the comparison that decides on each in one reading."""
 
 
 def statement(where: str, what: str, published: str, **kind: Any) -> Callable[[Judge], Judge]:
-    """Add a statement, judged by the function that follows; `where` is the section of the paper."""
+    """Decorator of the function that judges a statement, which it adds to the list.
+
+    `where` is the section of the paper.
+    """
 
     def add(judge: Judge) -> Judge:
         STATEMENTS.append((Claim(what, published, {}, where, **kind), judge))

@@ -67,7 +67,7 @@ class Results:
 
     @property
     def both(self) -> list[tuple[int, Gait]]:
-        """Gaits over friction with 0, then those that are matched to the first one with 1."""
+        """Pairs of a number and a gait: 0 for gaits over friction, 1 for those matched to the first one."""
         return [*((0, gait) for gait in self.gaits), *((1, gait) for gait in self.equal)]
 
 
@@ -81,7 +81,7 @@ def stored(figure: str) -> pandas.DataFrame | None:
 
 
 Column = str | Callable[[Any], Any]
-"""An attribute, also of an attribute, as `gait.word`; or a function."""
+"""Name of an attribute, with dots as in `gait.word` where it is nested, or a function of the row."""
 
 
 def table_of(rows: Iterable[Any], *attributes: str, **columns: Column) -> pandas.DataFrame:
@@ -94,14 +94,14 @@ def table_of(rows: Iterable[Any], *attributes: str, **columns: Column) -> pandas
 def table_by(
     names: Sequence[str], rows: Iterable[tuple[Any, ...]], *attributes: str, **columns: Column
 ) -> pandas.DataFrame:
-    """A row for each tuple: the items before the last by their names, then the gait, as `table_of` does."""
+    """A row for each tuple: its first items under the names, and columns of its gait as in `table_of`."""
     *keys, gaits = zip(*rows, strict=True)
     before = pandas.DataFrame(dict(zip(names, keys, strict=True)))
     return before.join(table_of(gaits, *attributes, **columns))
 
 
 def value_of(name: str) -> Callable[[Gait], float]:
-    """A column of a value of the gaits' runners."""
+    """Column with the value of a parameter or input in the runner of each gait."""
     return lambda gait: gait.runner[name]
 
 
