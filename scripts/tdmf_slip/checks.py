@@ -18,6 +18,8 @@ from .errors import InputError
 
 LONGEST_NAME = 100
 """Longest text that is searched for among names; no name is as long, and the search takes its square."""
+MAX_LISTED = 20
+"""Largest number of allowed names that a message lists beside near matches."""
 LONGEST_PATH = 4096
 SECOND = np.timedelta64(1, "s")
 _REPR = reprlib.Repr()
@@ -167,12 +169,14 @@ def near_matches(name: object, names: Iterable[str]) -> str:
 def check_names(
     given: Iterable[object], known: Sequence[str], what: str, also: Iterable[str] = (), allowed: str = ""
 ) -> None:
-    """Refuse names that are not among those known, with a hint at those and others that may be meant."""
+    """Refuse unknown names. The message lists near matches; they replace a long list of allowed names."""
     for name in given:
         if not is_one_of(name, known):
             near = near_matches(name, (*known, *also))
-            allowed = allowed or ", ".join(known)
-            raise InputError(f"{what}: {shown(name)} is not allowed; allowed: {allowed}{near}")
+            if not allowed and not (near and len(known) > MAX_LISTED):
+                allowed = ", ".join(known)
+            allowed = f"; allowed: {allowed}" if allowed else ""
+            raise InputError(f"{what}: {shown(name)} is not allowed{allowed}{near}")
 
 
 def check_once(names: Iterable[object], what: str) -> None:

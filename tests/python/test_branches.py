@@ -229,7 +229,7 @@ def test_lines_are_solid_where_gaits_are_stable(over_low_angle):
     assert min(stable) == change == max(unstable)
     words = {" ".join(sorted(text.get_text().split())) for text in axes.texts}  # either stride may come first
     assert words == {"+0−", "+−", "+0− +0−", "+0− +−"}
-    with pytest.raises(InputError, match=r"quantity 'sped' is not allowed.*speed"):
+    with pytest.raises(InputError, match=r"quantity: 'sped' is not allowed; near matches: speed"):
         figure_of(over_low_angle, "sped")
 
 

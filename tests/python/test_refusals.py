@@ -251,6 +251,10 @@ REFUSED = [
     (lambda r, g: trajectory(r, [0.1, 1.0, 1.0, 0.1, 0.0, 0.0], times=[0.0]), r"foot\.y"),
     (lambda r, g: compare([r], hold=["speed"], vary=[TORQUE]), "runners: 1 given; allowed: two or more"),
     (lambda r, g: compare([r, {}], hold=[], vary=[TORQUE]), "hold: nothing is held"),
+    (
+        lambda r, g: compare([r, {}], hold=["velocity"], vary=[TORQUE]),
+        "hold: 'velocity' is not allowed; near",
+    ),
     (lambda r, g: compare([r, {}], hold=["speed"] * 2, vary=[TORQUE]), "hold: speed is given twice"),
     (lambda r, g: compare([r, {}], hold=["speed", "length"], vary=[TORQUE]), "at least as many"),
     (lambda r, g: compare([r, {}], hold=["speed"], vary=["hip.torq"]), "hip.torq"),

@@ -14,8 +14,7 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from ..analysis.special_points import FOLD, NEIMARK_SACKER, PERIOD_DOUBLING, UNCLASSIFIED, WORD_BORDER
-from ..checks import is_one_of, near_matches, shown
-from ..errors import InputError
+from ..checks import check_names, is_one_of
 from ..library.gait import first_runner_in
 from ..library.quantities import QUANTITIES
 from ..library.section import COORDINATES
@@ -55,12 +54,7 @@ def values_of(data: xarray.Dataset, quantity: str) -> NDArray[np.float64]:
         str(name) for name, of in data.data_vars.items() if of.dims == ("point",) and of.dtype.kind == "f"
     ]
     known = [name for name in known if not name.startswith("apex_") or name in QUANTITIES]
-    if not is_one_of(quantity, known):
-        names = (*coordinates, *known)
-        raise InputError(
-            f"quantity {shown(quantity)} is not allowed; allowed: {', '.join(names)}"
-            f"{near_matches(quantity, names)}"
-        )
+    check_names([quantity], (*coordinates, *known), "quantity")
     return np.asarray(data[quantity].values, float)[:, None]
 
 
