@@ -22,6 +22,7 @@ typedef struct {
     void *instance;
     double time;
     double states[STATES];
+    bool is_positive[INDICATORS]; /* each event indicator when the step began */
 } run;
 
 static void slope_at(const run *run, double elapsed, const double states[STATES], double slope[STATES]) {
@@ -50,11 +51,20 @@ static void integrate(const run *run, double step, double end[STATES]) {
     run->calls->set_states(run->instance, end);
 }
 
+static void begin_step(run *run) {
+    double indicators[INDICATORS];
+    run->calls->get_indicators(run->instance, indicators);
+    for (int i = 0; i < INDICATORS; ++i) {
+        run->is_positive[i] = indicators[i] > 0.0;
+    }
+}
+
+/* True if an indicator has changed its sign since the step began. */
 static bool event_is_due(const run *run) {
     double indicators[INDICATORS];
     run->calls->get_indicators(run->instance, indicators);
     for (int i = 0; i < INDICATORS; ++i) {
-        if (indicators[i] <= 0.0) {
+        if ((indicators[i] > 0.0) != run->is_positive[i]) {
             return true;
         }
     }
@@ -66,6 +76,7 @@ static bool advance(run *run) {
     double end[STATES];
     double before = 0.0;
     double after = exchange_step;
+    begin_step(run);
     integrate(run, after, end);
     const bool event = event_is_due(run);
     for (int i = 0; event && i < BISECTIONS; ++i) {
@@ -88,7 +99,7 @@ static bool advance(run *run) {
 }
 
 static void *exchange(const fmu_calls *calls, const char *guid, unsigned count) {
-    run run = {calls, calls->make(true, guid), 0.0, {0.0}};
+    run run = {calls, calls->make(true, guid), 0.0, {0.0}, {false}};
     calls->get_states(run.instance, run.states);
     for (long i = 0; i < MAX_STEPS; ++i) {
         if (advance(&run) && calls->integer(run.instance, count) == WANTED_STRIDES) {

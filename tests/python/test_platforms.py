@@ -55,7 +55,7 @@ def library(libraries, fmi, name):
 def test_every_platform_is_there_and_nothing_else(fmi):
     with zipfile.ZipFile(UNITS[fmi]) as unit:
         names = [n.removeprefix("binaries/") for n in unit.namelist() if n.startswith("binaries/")]
-        assert "sources/native_runs.c" in unit.namelist()
+        assert "sources/runner_motions.c" in unit.namelist()
     assert sorted(names) == sorted(BINARIES[fmi])
     assert validate_fmu(str(UNITS[fmi])) == []
 
