@@ -11,7 +11,7 @@ static const double shortest_long_code = 1073741824.0; /* 4^15 */
 void tdmf_write_word(double code, char word[TDMF_WORD_CAPACITY]) {
     char reversed[LONGEST_WORD];
     int count = 0, length = 0;
-    for (double left = fabs(code); left >= 1.0 && count < LONGEST_WORD; ++count) {
+    for (double left = isfinite(code) ? fabs(code) : 0.0; left >= 1.0 && count < LONGEST_WORD; ++count) {
         const double rest = floor(left / 4.0);
         reversed[count] = letters[(int)(left - 4.0 * rest)];
         left = rest;

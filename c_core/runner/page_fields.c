@@ -1,9 +1,10 @@
-/* The places of fields, in one table for each struct. */
+/* Parameters and inputs of the core on the runner's page, and strides and apexes from its states. */
 #include "page_fields.h"
 
 #include "words.h"
 
 #include <limits.h>
+#include <math.h>
 
 runner_parameters tdmf_page_parameters(const tdmf_parameters *p, const tdmf_inputs *inputs) {
     const runner_parameters of = {
@@ -45,7 +46,7 @@ void tdmf_write_page_inputs(const tdmf_inputs *inputs, runner_states *x) {
 }
 
 int tdmf_count_of(double count) {
-    return count < INT_MAX ? (int)count : INT_MAX;
+    return count < INT_MAX ? (int)fmax(count, 0.0) : INT_MAX;
 }
 
 tdmf_apex tdmf_page_apex_of(const runner_states *x, double begun) {

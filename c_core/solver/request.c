@@ -70,23 +70,34 @@ static bool are_sound_inputs(tdmf_refusal *why, const tdmf_inputs *inputs, const
 }
 
 /* A mode that a run may be in: a loaded foot is driven or coasts, any other is retracted or placed. */
+static bool is_sound_mode(tdmf_refusal *why, const tdmf_mode *mode) {
+    const bool stance = mode->phase == TDMF_PHASE_DRIVE || mode->phase == TDMF_PHASE_COAST;
+    return tdmf_accepts_number(why, "motion.mode.contact", "1", (int)mode->contact, TDMF_CONTACT_FLIGHT,
+                               TDMF_CONTACT_GRAZE) &&
+           tdmf_accepts_number(why, "motion.mode.phase", "1", (int)mode->phase, TDMF_PHASE_DRIVE,
+                               TDMF_PHASE_PLACE) &&
+           tdmf_accepts_if(why, stance == tdmf_is_loaded(mode), TDMF_EXCLUDED, "motion.mode.phase", 0,
+                           "a loaded foot is driven or coasts, any other is retracted or placed");
+}
+
+static bool is_finite(tdmf_refusal *why, const char *name, const char *unit, double value) {
+    return tdmf_accepts_number(why, name, unit, value, -DBL_MAX, DBL_MAX);
+}
+
 static bool is_sound_motion(tdmf_refusal *why, const tdmf_motion *motion) {
     const tdmf_mode *mode = &motion->mode;
-    const bool stance = mode->phase == TDMF_PHASE_DRIVE || mode->phase == TDMF_PHASE_COAST;
-    if (!tdmf_accepts_number(why, "motion.mode.contact", "1", (int)mode->contact, TDMF_CONTACT_FLIGHT,
-                             TDMF_CONTACT_GRAZE) ||
-        !tdmf_accepts_number(why, "motion.mode.phase", "1", (int)mode->phase, TDMF_PHASE_DRIVE,
-                             TDMF_PHASE_PLACE) ||
-        !tdmf_accepts_if(why, stance == tdmf_is_loaded(mode), TDMF_EXCLUDED, "motion.mode.phase", 0,
-                         "a loaded foot is driven or coasts, any other is retracted or placed")) {
-        return false;
+    bool is_sound = is_sound_mode(why, mode) && is_finite(why, "motion.time", "s", motion->time) &&
+                    is_finite(why, "motion.begun", "s", motion->begun) &&
+                    is_finite(why, "motion.clock_rest", "s", motion->clock_rest) &&
+                    is_finite(why, "motion.mode.rest_length", "m", mode->rest_length) &&
+                    is_finite(why, "motion.mode.ground.height", "m", mode->ground.height) &&
+                    is_finite(why, "motion.mode.ground.slope", "rad", mode->ground.slope) &&
+                    is_finite(why, "motion.mode.ground.sine", "1", mode->ground.sine) &&
+                    is_finite(why, "motion.mode.ground.cosine", "1", mode->ground.cosine);
+    for (int i = 0; is_sound && i < TDMF_STATE_COUNT; ++i) {
+        is_sound = tdmf_accepts_element(why, "motion.state[]", i, motion->state[i], -DBL_MAX, DBL_MAX);
     }
-    for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
-        if (!tdmf_accepts_element(why, "motion.state[]", i, motion->state[i], -DBL_MAX, DBL_MAX)) {
-            return false;
-        }
-    }
-    return true;
+    return is_sound;
 }
 
 bool tdmf_is_sound_request(tdmf_solver *solver, tdmf_system system, const tdmf_inputs *rates, double until,

@@ -65,7 +65,7 @@ static void assert_refused(run *run, simulation *at) {
     assert_int_equal(at->solver.steps, 0);
 }
 
-TEST(no_solver_runs_in_a_mode_that_there_is_not_or_from_a_state_that_is_not_finite) {
+TEST(no_solver_runs_in_a_mode_that_there_is_not_or_from_a_number_that_is_not_finite) {
     const double not_finite[] = {NAN, INFINITY, -INFINITY};
     const int count = tdmf_cvode_is_available() ? RUNS : RUNS - 1;
     for (int i = 0; i < count; ++i) {
@@ -79,6 +79,19 @@ TEST(no_solver_runs_in_a_mode_that_there_is_not_or_from_a_state_that_is_not_fini
         for (int which = 0; which < 3 * TDMF_STATE_COUNT; ++which) {
             simulation at = standing_at_apex();
             at.motion.state[which / 3] = not_finite[which % 3];
+            assert_refused(runs[i], &at);
+        }
+        for (int which = 0; which < 3 * 8; ++which) {
+            simulation at = standing_at_apex();
+            double *const numbers[] = {&at.motion.time,
+                                       &at.motion.begun,
+                                       &at.motion.clock_rest,
+                                       &at.motion.mode.rest_length,
+                                       &at.motion.mode.ground.height,
+                                       &at.motion.mode.ground.slope,
+                                       &at.motion.mode.ground.sine,
+                                       &at.motion.mode.ground.cosine};
+            *numbers[which / 3] = not_finite[which % 3];
             assert_refused(runs[i], &at);
         }
     }
@@ -119,6 +132,18 @@ TEST(the_automaton_takes_nothing_in_a_mode_that_there_is_not) {
         tdmf_derivatives(SYSTEM_OF(&s), &mode, motion.state, derivatives);
         assert_true(isnan(derivatives[TDMF_LEG_ANGLE_RATE]) && isnan(derivatives[TDMF_LEG_LENGTH_RATE]));
         assert_true(isnan(outputs_of(SYSTEM_OF(&s), &motion).hip.torque));
+    }
+}
+
+TEST(outputs_of_states_without_sense_have_no_word_and_no_count_below_zero) {
+    static const double senseless[] = {INFINITY, -INFINITY, NAN};
+    for (size_t i = 0; i < COUNT_OF(senseless); ++i) {
+        simulation s = standing_at_apex();
+        s.motion.state[TDMF_STRIDE_WORD_SO_FAR] = s.motion.state[TDMF_STRIDE_WORD] = senseless[i];
+        s.motion.state[TDMF_STRIDE_COUNT] = s.motion.state[TDMF_EVENT_COUNT] = senseless[i];
+        const tdmf_outputs outputs = outputs_of(SYSTEM_OF(&s), &s.motion);
+        assert_true(strlen(outputs.open_word) <= 1 && strlen(outputs.stride.word) <= 1);
+        assert_true(outputs.stride.count >= 0 && outputs.event.count >= 0);
     }
 }
 

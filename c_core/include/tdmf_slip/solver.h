@@ -93,7 +93,7 @@ TDMF_API tdmf_solver tdmf_solver_default(void);
  *
  *   - a tolerance out of range, and inputs that are out of range or leave it by their rates;
  *   - rates that are not finite, and a rate other than 0 of an input that changes at events only;
- *   - a time that is NaN or before the present one, and a state that is not finite;
+ *   - a time that is NaN or before the present one, and a number of the motion that is not finite;
  *   - a contact or phase that is invalid, and two that exclude each other;
  *   - a log that counts less than 0, and any pointer other than `rates` that is NULL. */
 TDMF_API tdmf_outcome tdmf_native_advance(tdmf_solver *solver, tdmf_system system, const tdmf_inputs *rates,
