@@ -58,7 +58,7 @@ void tdmf_outputs_of(tdmf_system system, const tdmf_motion *motion, tdmf_outputs
     outputs->hip.phase = outputs->hip.phase_index = (int)mode->phase;
     outputs->energy.impact_loss = x->impact_loss;
     outputs->event.count = tdmf_count_of(x->events);
-    outputs->event.last_time = motion->begun + x->last_event;
+    outputs->event.last_time = motion->begun + fmax(x->last_event, 0.0);
     outputs->status.fallen = mode->fallen;
     outputs->stride = tdmf_page_stride_of(x);
     outputs->apex = tdmf_page_apex_of(x, motion->begun);

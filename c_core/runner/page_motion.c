@@ -25,8 +25,8 @@ static void write_rates(const tdmf_inputs *rates, runner_states *x) {
 
 /* ---- time and heights ---------------------------------------------------------------------------------- */
 
-/* Sets the clock of the page, which the time of the motion may have left behind. A touchdown at this instant
- * was one before the call. */
+/* Sets the clock of the page where the caller has set the time of the motion anew. No event is later than the
+ * clock, or else those to come would not count. A touchdown at this instant was one before the call. */
 static void read_clock(const tdmf_motion *motion, tdmf_page_point *point) {
     runner_states *x = &point->x;
     if (motion->begun + x->time == motion->time) {
@@ -35,6 +35,7 @@ static void read_clock(const tdmf_motion *motion, tdmf_page_point *point) {
         x->time = motion->time - motion->begun;
     }
     point->time = x->time;
+    x->last_event = fmin(x->last_event, x->time);
     if (x->touchdown_time >= x->time) {
         x->touchdown_time = nextafter(x->time, -INFINITY);
     }

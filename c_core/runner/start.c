@@ -95,7 +95,6 @@ static tdmf_page_point point_at_start(tdmf_system system, tdmf_motion *motion) {
     memcpy(given, motion->state + TDMF_FOOT_X, sizeof given);
     memcpy(motion->state, tdmf_runner_model.state_defaults, sizeof motion->state);
     memcpy(motion->state + TDMF_FOOT_X, given, sizeof given);
-    motion->state[TDMF_EVENT_LAST_TIME] = -DBL_MIN; /* an event at the start counts */
     motion->state[TDMF_HIP_LIFTOFF_ANGLE] = motion->state[TDMF_LEG_ANGLE];
     motion->begun = motion->time;
     motion->clock_rest = 0.0;
@@ -128,6 +127,7 @@ tdmf_refusal tdmf_start(tdmf_system system, tdmf_motion *motion) {
     }
     /* An impact counts as an event and as a touchdown; that a foot at rest is on the ground is none. */
     motion->state[TDMF_EVENT_COUNT] = is_impact;
+    motion->state[TDMF_EVENT_LAST_TIME] = is_impact ? 0.0 : -DBL_MIN; /* so that an event at time 0 is new */
     motion->state[TDMF_STRIDE_TOUCHDOWNS_SO_FAR] *= is_impact;
     motion->state[TDMF_HIP_TOUCHDOWN_TIME] = -DBL_MIN;
     tdmf_observe(system, motion);

@@ -68,6 +68,17 @@ TEST(a_line_below_a_foot_in_flight_is_in_force_at_once_as_one_event) {
     assert_close(touchdown->state[TDMF_FOOT_Y], -0.1 + touchdown->state[TDMF_FOOT_X] * tan(0.02), 1e-12);
 }
 
+/* All that happens in zero time is one event, however many calls it takes. */
+TEST(a_line_set_at_the_instant_of_an_event_is_part_of_that_event) {
+    simulation run = run_at_apex(0.0, 0.0);
+    simulation_stride(&run);
+    const double events = run.motion.state[TDMF_EVENT_COUNT];
+    assert_true(last_event_of(&run.motion) == run.motion.time);
+    set_line(&run, -0.1, 0.02);
+    assert_true(run.motion.mode.ground.height == -0.1);
+    assert_int_equal(run.motion.state[TDMF_EVENT_COUNT], events);
+}
+
 TEST(the_same_line_set_again_is_no_event) {
     simulation run = run_at_apex(0.3, 0.01);
     const double events = run.motion.state[TDMF_EVENT_COUNT];

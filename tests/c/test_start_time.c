@@ -82,4 +82,16 @@ TEST(a_time_set_anew_is_taken_as_it_is) {
     assert_int_equal(simulation_advance(&run, run.motion.time + 1.0), TDMF_ARRIVED);
     assert_all_close(&run.motion.state[TDMF_FOOT_X], &moved.motion.state[TDMF_FOOT_X], TDMF_MECHANICAL_COUNT,
                      1e-6, 1e-6);
+    assert_int_equal(simulation_advance(&moved, 29.0), TDMF_ARRIVED);
+    assert_int_equal(simulation_advance(&run, run.motion.time + 20.0), TDMF_ARRIVED);
+    assert_int_equal(moved.motion.state[TDMF_EVENT_COUNT], run.motion.state[TDMF_EVENT_COUNT]);
+}
+
+TEST(before_the_first_event_the_last_one_was_at_the_start) {
+    static const double times[] = {0.0, 5.0, 1.7e9};
+    for (size_t k = 0; k < COUNT_OF(times); ++k) {
+        const simulation run = start_at(&reference_gaits[DEFAULT_GAIT], 0.0, times[k], 1e-11);
+        assert_int_equal(OUTPUTS_OF(&run).event.count, 0);
+        assert_true(OUTPUTS_OF(&run).event.last_time == times[k]);
+    }
 }

@@ -51,8 +51,8 @@ typedef struct {
         double impact_loss; /* lost at impacts since the start, J */
     } energy;
     struct {
-        int count;        /* contact and phase changes since the start */
-        double last_time; /* time of the last change, s */
+        int count;        /* changes of contact, phase or ground since the start; an instant counts once */
+        double last_time; /* time of the last change, or of the start, s */
     } event;
     struct {
         bool fallen; /* true from a fall on */
