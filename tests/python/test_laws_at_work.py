@@ -1,4 +1,4 @@
-"""Laws from apex to settings: what gaits attract and recover from under them, how long runners stay up."""
+"""Laws from apex to settings: the Jacobian under a law, its noise, and laws that are refused."""
 
 import re
 
@@ -18,7 +18,7 @@ NAMES = (ANGLE, TORQUE)
 
 @pytest.fixture(scope="module")
 def gait():
-    """Gait with the clamp. With a free swing, a law that settles this runner does not keep it up longer."""
+    """Gait with the clamp of the swing."""
     return find_gait(Runner({"ground.friction": 0.6, **CLAMPED}))
 
 
