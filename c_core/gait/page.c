@@ -4,6 +4,7 @@
 
 #include <float.h>
 #include <limits.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -371,10 +372,21 @@ static tdmf_run_outcome sample(const tdmf_model_kind *model, tdmf_page_run *r,
     return outcome;
 }
 
+/* Times are finite, begin at 0 or later and do not decrease. */
+static bool are_times(const double *times, int count) {
+    for (int i = 0; i < count; ++i) {
+        if (!isfinite(times[i]) || times[i] < (i > 0 ? times[i - 1] : 0.0)) {
+            return false;
+        }
+    }
+    return true;
+}
+
 static bool are_complete(tdmf_refusal *why, const tdmf_page_map *map, const tdmf_page_samples *samples,
                          const int *sampled) {
     return samples->count >= 0 && samples->times && samples->states && samples->outputs && samples->modes &&
            sampled && !samples->d_states == !samples->d_outputs &&
+           are_times(samples->times, samples->count) &&
            (samples->point ? tdmf_is_page_map_sound(why, map) &&
                                  tdmf_is_page_point_sound(section_of(map), samples->point)
                            : is_sound_without_section(why, map));
@@ -417,6 +429,9 @@ static tdmf_page_run begun(const tdmf_page_map *map, const tdmf_page_samples *sa
 tdmf_page_end tdmf_page_begin(const tdmf_page_map *map, double *states, const tdmf_page_samples *samples,
                               int *sampled) {
     tdmf_refusal why;
+    if (sampled) {
+        *sampled = 0;
+    }
     if (!(samples ? are_complete(&why, map, samples, sampled) : tdmf_is_page_map_sound(&why, map)) ||
         !states || !tdmf_are_page_values_sound(model_of(map->page), map->parameters, map->states)) {
         return refused(0);

@@ -349,6 +349,15 @@ TEST(pages_refuse_null_and_numbers_out_of_range) {
     assert_int_equal(tdmf_page_begin(&sound, NULL, NULL, NULL).outcome, TDMF_PAGE_REFUSED);
     const tdmf_page_samples nothing = {.count = 1};
     assert_int_equal(tdmf_page_begin(&sound, end, &nothing, NULL).outcome, TDMF_PAGE_REFUSED);
+    static const double no_times[][2] = {{NAN, 1.0}, {0.0, NAN}, {0.0, INFINITY}, {-1.0, 0.0}, {1.0, 0.5}};
+    for (size_t i = 0; i < COUNT_OF(no_times); ++i) {
+        double rows[2 * SIZE], outputs[2 * SIZE];
+        int modes[2], sampled = 2;
+        const tdmf_page_samples samples = {
+            .count = 2, .times = no_times[i], .states = rows, .outputs = outputs, .modes = modes};
+        assert_int_equal(tdmf_page_begin(&sound, end, &samples, &sampled).outcome, TDMF_PAGE_REFUSED);
+        assert_int_equal(sampled, 0);
+    }
     tdmf_page_scales(NULL, p, x);
     tdmf_page_scales(page, NULL, x);
     const double numbers[] = {NAN, INFINITY, -1.0};

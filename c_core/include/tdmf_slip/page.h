@@ -120,7 +120,7 @@ TDMF_API bool tdmf_page_place(const tdmf_page_map *map, const double *point, dou
  * seeds: a row for each time and each of these. */
 typedef struct {
     int count;           /* times */
-    const double *times; /* s */
+    const double *times; /* s, from 0 on */
     const double *point; /* point of the section at which the run begins; NULL: the start of the page */
     double *states;      /* states that a unit of the model shows */
     double *outputs;     /* all outputs of the page */
