@@ -35,9 +35,10 @@ enum {{
 
 /* Indices of the states of a run, which are those of its page. TDMF_FOOT_X and the next seven are q and its
  * rate, in the order of the paper's q = (x, y, r, theta). Other states are integrals along the run, its last
- * stride and apex, and its memory. Times among the states are those of the run's own clock, TDMF_STRIDE_TIME,
- * which a solver may set anew. The leg's angle is never wrapped: the hip unwinds a leg that has wound. After
- * a thousand turns an angle is known to 1e-12, and so is all that follows from it. */
+ * stride and apex, and its memory. Some states repeat inputs, the mode, or q in other coordinates: each call
+ * sets them anew. Times among the states count from the start of the run. The leg's angle is never wrapped:
+ * the hip unwinds a leg that has wound. After a thousand turns an angle is known to 1e-12, and so is all that
+ * follows from it. */
 {states}
 
 /* Each guard is a pure number, positive while its event is to come; at zero or below, the event is due. A

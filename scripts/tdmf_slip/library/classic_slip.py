@@ -257,13 +257,13 @@ def _fold(guess: NDArray[np.float64], energy: float, given: dict[str, float]) ->
 
 
 def _fixed_point(runner: PageRunner, height: float, energy: float) -> FixedPoint:
-    made, given = step(runner, height, energy), runner
+    made = step(runner, height, energy)
     return FixedPoint(
-        given["touchdown_angle"],
+        runner["touchdown_angle"],
         height,
         made.slope,
         made.stance_friction,
         made.impact_friction,
         made.length,
-        given["mass"] * given["gravity"] * made.length * math.tan(given["slope"]),
+        runner["mass"] * runner["gravity"] * made.length * math.tan(runner["slope"]),
     )
