@@ -1,5 +1,6 @@
 /* The derivative of a run by the damping of the leg, beside a difference quotient. */
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <tdmf_slip/page.h>
 
@@ -45,6 +46,8 @@ static double height_at_end(double damping, double *by_damping) {
     samples.d_outputs = d_outputs;
     samples.modes = &mode;
     tdmf_page_begin(&map, last, &samples, &sampled);
+    if (sampled < samples.count)
+        exit(EXIT_FAILURE); /* the run is refused, or cannot be followed */
     *by_damping = d_outputs[height];
     return outputs[height];
 }

@@ -1,4 +1,5 @@
-/* Many runners, each with its own disturbance, return to the default gait. */
+/* Many runners, each with its own disturbance, return to the default gait; and two steps of the classic SLIP,
+ * a model of another page. */
 #include <tdmf_slip/ensemble.h>
 #include <tdmf_slip/tdmf_slip.h>
 
@@ -63,5 +64,8 @@ int main(void) {
         settled += ends[i].fate == TDMF_FATE_SETTLED;
     }
     printf("%d of %d runners are back on the gait\n", settled, RUNNERS);
-    return classic_steps_cross() ? 0 : 1;
+    if (!classic_steps_cross())
+        return 1;
+    printf("both steps of the classic SLIP reach an apex\n");
+    return 0;
 }
