@@ -1,3 +1,4 @@
+from .analysis.attraction import attraction_volume as attraction_volume
 from .analysis.basin import basin as basin
 from .analysis.branches import continue_branch as continue_branch
 from .analysis.comparison import compare as compare
@@ -6,6 +7,7 @@ from .analysis.first_passage import FirstPassage as FirstPassage
 from .analysis.first_passage import strides_to_fall as strides_to_fall
 from .analysis.rare_falls import RareFalls as RareFalls
 from .analysis.rare_falls import rare_falls as rare_falls
+from .analysis.stability import stability as stability
 from .analysis.stride_map import stride_map as stride_map
 from .analysis.sweeps import Sweep as Sweep
 from .analysis.sweeps import gait_at as gait_at
@@ -35,6 +37,9 @@ from .fmu.fmu import load_fmu as load_fmu
 from .fmu.profile import Profile as Profile
 from .fmu.simulation import simulate as simulate
 from .library.batch import Batch as Batch
+from .library.binding import library_path as library_path
+from .library.classic_slip import classic_fold as classic_fold
+from .library.classic_slip import classic_gaits as classic_gaits
 from .library.gait import Gait as Gait
 from .library.ground import RoughGround as RoughGround
 from .library.laws import AffineLaw as AffineLaw
@@ -52,6 +57,7 @@ from .proof.prove_attraction import Attraction as Attraction
 from .proof.prove_attraction import prove_attraction as prove_attraction
 from .proof.prove_border import BorderProof as BorderProof
 from .proof.prove_border import prove_border as prove_border
+from .proof.travelling_set import tube_along as tube_along
 from .version import __version__ as __version__
 from .viable_sets.viability import ViableController as ViableController
 from .viable_sets.viability import viability as viability

@@ -16,7 +16,7 @@ from tdmf_slip import (
     rare_falls,
     strides_to_fall,
 )
-from tdmf_slip.analysis.attraction import robustness, volume
+from tdmf_slip.analysis.attraction import attraction_volume, robustness
 from tdmf_slip.library.engine import FELL
 from tdmf_slip.record import runner_in
 
@@ -47,7 +47,7 @@ class Function:
             gait, RoughGround(0.3, 2, trips=True, step_weights=(0.8, 0.6)), 60, max_strides=40, law=law
         ),
         lambda gait, law: rare_falls(gait, 0.5, walkers=8, strides=8, gait=gait, law=law),
-        lambda gait, law: volume(gait, 200, law=law, ball="none"),
+        lambda gait, law: attraction_volume(gait, 200, law=law, ball="none"),
     ],
     ids=["strides to fall", "on ground that trips", "rare falls", "volume"],
 )

@@ -40,7 +40,7 @@ def test_the_largest_disturbances_are_where_recovery_ends(gait, monkeypatch):
 
 def test_starts_that_the_solver_does_not_get_through_are_counted(gait):
     stiff = Runner({**gait.runner, "foot.mass": 1e-12, "hip.kp": 1e18, "hip.kd": 1e18})
-    found = attraction.volume(dataclasses.replace(gait, runner=stiff), 20)
+    found = attraction.attraction_volume(dataclasses.replace(gait, runner=stiff), 20)
     assert (found.settled, found.unsolved) == (0, found.as_json()["unsolved"])
     assert 0 < found.unsolved <= 20
 
@@ -53,7 +53,7 @@ def test_the_interval_of_a_volume_is_wilsons():
 
 def test_a_volume_is_a_share_of_the_box_and_depends_on_its_seed_alone(gait, monkeypatch):
     monkeypatch.setattr(attraction, "STARTS_AT_ONCE", 256)
-    found = attraction.volume(gait, 512)
+    found = attraction.attraction_volume(gait, 512)
     low, high = np.array(list(attraction.BOX.values())).T
     drawn = [attraction.starts_in_box(gait.runner, 0, number, 256) for number in range(2)]
     assert np.min(np.abs(drawn[0] - drawn[1])) > 0.0
@@ -61,11 +61,11 @@ def test_a_volume_is_a_share_of_the_box_and_depends_on_its_seed_alone(gait, monk
     assert found.settled == np.count_nonzero(ends["fate"] == engine.SETTLED)
     assert found.as_json()["volume"] == pytest.approx(found.settled / 512 * np.prod(high - low))
     assert found.volume[1] < found.volume[0] < found.volume[2]
-    other = attraction.volume(gait, 512, seed=1)
-    assert other != found == attraction.volume(gait, 512)
+    other = attraction.attraction_volume(gait, 512, seed=1)
+    assert other != found == attraction.attraction_volume(gait, 512)
     assert abs(other.share - found.share) < 3.0 * (found.interval[1] - found.interval[0])
     with pytest.raises(InputError, match="samples = 0"):
-        attraction.volume(gait, 0)
+        attraction.attraction_volume(gait, 0)
 
 
 def test_starts_fill_the_box_over_the_runners_own_scales(gait):

@@ -8,7 +8,7 @@ import tdmf_slip
 from conftest import RELEASE, release
 from tdmf_slip import Batch, InputError, Runner, basin, find_gait
 from tdmf_slip.analysis import ball as balls
-from tdmf_slip.analysis.attraction import volume
+from tdmf_slip.analysis.attraction import attraction_volume
 from tdmf_slip.analysis.ball import MAX_STRIDES, attributes_of, ball_of, fates, saves_time
 from tdmf_slip.library.batch import NEAR
 from tdmf_slip.library.engine import SETTLED
@@ -82,7 +82,7 @@ def test_fates_are_equal_with_a_ball_and_without(gait, ball, reduced):
     np.testing.assert_array_equal(known["strides"][fell], followed["strides"][fell])
     assert (known["strides"] <= followed["strides"]).all()
     assert 2.0 * known["strides"][~fell].sum() < followed["strides"][~fell].sum()
-    assert volume(gait, 500, ball=ball) == volume(gait, 500, ball="none")
+    assert attraction_volume(gait, 500, ball=ball) == attraction_volume(gait, 500, ball="none")
 
 
 def test_a_ball_is_of_the_runner_under_its_law(gait, ball):

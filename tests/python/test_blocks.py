@@ -86,7 +86,7 @@ ANALYSES = {
     ),
     "basin": lambda _, how: basin.basin({}, AXES, (6, 5), **how),
     "preview of a basin": lambda _, how: basin.basin({}, AXES, 20, refine="preview", **how),
-    "volume": lambda gait, how: attraction.volume(gait, 60, **how),
+    "volume": lambda gait, how: attraction.attraction_volume(gait, 60, **how),
     "grid of gaits": lambda _, how: tdmf_slip.sweep({}, {FRICTION: [0.6, 0.5], DAMPING: [0.2, 0.22]}, **how),
     "strides to a fall": lambda gait, how: first_passage.strides_to_fall(gait, 0.4, 200, 1, 60, **how),
     "strides": lambda gait, how: tdmf_slip.stride_map(

@@ -88,7 +88,7 @@ def one_step(angle, slope, rate, height, energy=ENERGY):
 @pytest.mark.parametrize("case", CASES)
 def test_a_gait_repeats_its_height_and_its_slope_is_that_of_the_map(case):
     angle, slope, rate = case
-    gaits = classic_slip.fixed_points(angle, ground_slope=slope, retraction_rate=rate)
+    gaits = classic_slip.classic_gaits(angle, ground_slope=slope, retraction_rate=rate)
     assert gaits and gaits[0].stable == (abs(gaits[0].slope) < 1.0)
     for gait in gaits:
         height, energy, length = one_step(*case, gait.height)
@@ -105,18 +105,18 @@ def test_a_gait_repeats_its_height_and_its_slope_is_that_of_the_map(case):
 @pytest.mark.parametrize(("slope", "rate"), [(0, 0), (3, 11)])
 def test_two_gaits_meet_in_the_fold_and_beyond_it_there_is_none(slope, rate):
     its = {"ground_slope": math.radians(slope), "retraction_rate": math.radians(rate)}
-    fold = classic_slip.fold(**its)
+    fold = classic_slip.classic_fold(**its)
     assert fold.slope == pytest.approx(1.0, abs=1e-8)
     before, beyond = fold.angle - math.radians(0.1), fold.angle + math.radians(0.1)
-    gaits = classic_slip.fixed_points(before, **its)
+    gaits = classic_slip.classic_gaits(before, **its)
     assert len(gaits) == 2 and gaits[0].height < fold.height < gaits[1].height
     assert gaits[0].slope < 1.0 < gaits[1].slope
-    assert classic_slip.fixed_points(beyond, **its) == []
+    assert classic_slip.classic_gaits(beyond, **its) == []
 
 
 def test_the_paper_s_slip_is_stable_from_a_period_doubling_to_a_fold():
     """Their angles are 31.28 and 44.59 degrees; by SciPy, the slope of the map at the former is -1."""
-    angles = gather_classic().lowest, classic_slip.fold().angle
+    angles = gather_classic().lowest, classic_slip.classic_fold().angle
     assert np.degrees(angles) == pytest.approx([31.28, 44.59], abs=5e-3)
 
     def ahead(height):
@@ -128,16 +128,16 @@ def test_the_paper_s_slip_is_stable_from_a_period_doubling_to_a_fold():
 
 def test_a_fold_that_is_not_there_is_refused():
     with pytest.raises(RunError, match="no fold of the classic SLIP was found at energy = 500 J"):
-        classic_slip.fold(500.0)
+        classic_slip.classic_fold(500.0)
     with pytest.raises(RunError, match="no fold"):
-        classic_slip.fold(ground_slope=math.radians(50.0))
+        classic_slip.classic_fold(ground_slope=math.radians(50.0))
 
 
 def test_faster_retraction_doubles_the_period():
     """The slope of the map passes -1 at 49.1 degrees per second. Without retraction there is no gait."""
-    assert classic_slip.fixed_points(math.radians(46.0)) == []
+    assert classic_slip.classic_gaits(math.radians(46.0)) == []
     slopes = [
-        classic_slip.fixed_points(math.radians(46.0), retraction_rate=math.radians(rate))[0].slope
+        classic_slip.classic_gaits(math.radians(46.0), retraction_rate=math.radians(rate))[0].slope
         for rate in (49.0, 49.2)
     ]
     assert slopes[0] > -1.0 > slopes[1]
@@ -153,7 +153,7 @@ def test_faster_retraction_doubles_the_period():
 )
 def test_gaits_are_those_of_the_reference(angle, heights, slopes, friction):
     """All digits of the reference but the last are trusted."""
-    gaits = classic_slip.fixed_points(math.radians(angle))
+    gaits = classic_slip.classic_gaits(math.radians(angle))
     assert [gait.height for gait in gaits] == pytest.approx(heights, abs=1.5e-5)
     assert [gait.slope for gait in gaits] == pytest.approx(slopes, abs=1.5e-4)
     assert gaits[0].impact_friction == pytest.approx(friction, abs=1.5e-3)

@@ -68,5 +68,12 @@ def test_what_is_published_stands_beside_what_is_computed(found):
     verdicts = [claim.verdict for claim in guinea_fowl.claims(found)]
     assert verdicts == ["differs", "agrees", "differs", "agrees", "differs", "differs"]
     border = borders(found, 0.05)
-    assert np.max(border) == 67.0 and border[-1] == 61.0
+    assert (border[0], np.max(border), border[-1]) == (67.0, 67.0, 61.0)
     assert np.all(border >= borders(found, 2.0))
+
+
+def test_a_shorter_leg_hardly_moves_the_border():
+    """The numbers of the guide."""
+    shorter = guinea_fowl.fall_map(0.15)
+    assert borders(shorter, 0.05)[[0, -1]].tolist() == [67.0, 59.0]
+    assert shorter["speed"].values[[0, -1]] == pytest.approx([1.3, 3.6], abs=0.05)

@@ -8,7 +8,7 @@ import xarray
 from conftest import CLAMPED
 from tdmf_slip import AffineLaw, InputError, Runner, basin, find_gait, strides_to_fall
 from tdmf_slip.analysis import basin as basin_module
-from tdmf_slip.analysis.attraction import robustness, volume
+from tdmf_slip.analysis.attraction import attraction_volume, robustness
 from tdmf_slip.analysis.ball import check_attracts, fates, jacobian_under
 from tdmf_slip.library.return_map import stride_from
 
@@ -88,7 +88,7 @@ def test_laws_that_do_not_keep_the_gait_are_told(gait, nothing):
         for judge in (
             lambda: check_attracts(gait, law),
             lambda: robustness(gait, law),
-            lambda: volume(gait, 10, law=law),
+            lambda: attraction_volume(gait, 10, law=law),
         ):
             with pytest.raises(InputError, match=re.escape(message)):
                 judge()

@@ -1,6 +1,7 @@
 """Parts of the package are layers: each imports only the parts before it."""
 
 import ast
+import re
 
 from conftest import ROOT
 
@@ -53,6 +54,15 @@ def test_parts_import_only_what_is_before_them():
     for name in GROUND - {"version"}:
         path = PACKAGE / f"{name}.py"
         assert set(imported(path, path.read_text(encoding="utf-8"))) <= GROUND
+
+
+def test_guides_import_public_names_only():
+    """A guide takes names from `tdmf_slip` or `tdmf_slip.hybrid`, and from no module below."""
+    guides = [*(ROOT / "documentation/guides").glob("*.md"), *(ROOT / "documentation/reference").glob("*.md")]
+    below = re.compile(r"^ *(?:from|import) tdmf_slip\.(?!hybrid\b).*", re.MULTILINE)
+    found = {path.name: below.findall(path.read_text(encoding="utf-8")) for path in guides}
+    assert len(found) > 40
+    assert {name: lines for name, lines in found.items() if lines} == {}
 
 
 def test_no_module_is_longer_than_500_lines():

@@ -129,7 +129,7 @@ def test_a_basin_is_the_whole_plane(tmp_path):
         path=tmp_path / "plane.nc",
     )
     assert np.array_equal(again["fate"], data["fate"])
-    found = attraction.volume(find_gait(model="reduced"), 300)
+    found = attraction.attraction_volume(find_gait(model="reduced"), 300)
     assert found.as_json()["box"].keys() == set(REDUCED)
     with pytest.raises(InputError, match="another model"):
         basin(

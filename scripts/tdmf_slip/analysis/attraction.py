@@ -112,7 +112,7 @@ def _count_fates(
     return np.bincount(found.fate, minlength=len(FATES))
 
 
-def volume(
+def attraction_volume(
     gait: Gait,
     samples: int,
     *,
@@ -122,7 +122,48 @@ def volume(
     executor: Executor | None = None,
     progress: bool = False,
 ) -> Volume:
-    """Estimate the volume of a gait's region of attraction in all coordinates: an area in the reduced map."""
+    """Estimate the volume of a gait's region of attraction in all coordinates of the section.
+
+    Starts are drawn uniformly over a large box around all gaits, `analysis.attraction.BOX`, and simulated
+    until they settle on the gait or fall. In the reduced map the volume is an area.
+
+    Parameters
+    ----------
+    gait : Gait
+        A stable gait, or one that `law` makes stable.
+    samples : int
+        Number of starts.
+    seed : int, default 0
+        Seed of the starts.
+    law : Law, optional
+        Law that sets inputs from stride to stride.
+    ball : Ball or str, default "tested"
+        A start that enters this ball around the gait counts as settled: "tested", "proved", "none" or a
+        ball, as in `basin`.
+    executor : Executor, optional
+        Runs blocks of starts; threads of this process by default. The result does not depend on it.
+    progress : bool, default False
+        Show the progress on stderr.
+
+    Returns
+    -------
+    Volume
+        The estimate with its confidence interval: `share` and `interval` of the box, `volume` in the
+        section's scales.
+
+    Raises
+    ------
+    InputError
+        The gait attracts nothing, or an argument is out of its range.
+
+    Examples
+    --------
+    >>> import tdmf_slip
+    >>> gait = tdmf_slip.find_gait(friction=0.6)
+    >>> low, high = tdmf_slip.attraction_volume(gait, 200).interval
+    >>> 0.0 < low < high < 1.0
+    True
+    """
     check_attracts(gait, law)
     samples = checked_whole("samples", samples, 1, MAX_SAMPLES)
     seed = checked_whole("seed", seed, 0, 2**63)

@@ -25,7 +25,34 @@ def stability(runner: RunnerLike, vary: Mapping[str, Values]) -> xarray.Dataset:
     """Find the gait at each point of a grid, from the point nearest to the runner on to its neighbours.
 
     A point has no gait where Newton's method finds none from any of its neighbours. Where there are several
-    gaits, it is the one that the neighbours lead to. The dataset is that of the gaits of `sweep`.
+    gaits, it is the one that the neighbours lead to.
+
+    Parameters
+    ----------
+    runner : runner
+        The runner whose values all points share.
+    vary : mapping of str to array
+        The grid: values of each parameter or input.
+
+    Returns
+    -------
+    xarray.Dataset
+        The gaits, as those of `sweep`: word, eigenvalues and quantities of a stride at each point.
+
+    Raises
+    ------
+    InputError
+        A name or value is not allowed.
+    GaitNotFoundError
+        The point nearest to the runner has no gait.
+
+    Examples
+    --------
+    >>> import tdmf_slip
+    >>> runner = tdmf_slip.Runner(model="reduced")
+    >>> plane = tdmf_slip.stability(runner, {"leg.damping": [0.1, 0.2], "friction": [0.4, 0.6]})
+    >>> dict(plane["lambda_max"].sizes)
+    {'leg.damping': 2, 'ground.friction': 2}
     """
     runner = Runner(runner)
     axes = checked_axes(vary, runner.model)

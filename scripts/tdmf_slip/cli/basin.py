@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from ..analysis.attraction import DISTURBED, robustness, volume
+from ..analysis.attraction import DISTURBED, attraction_volume, robustness
 from ..analysis.ball import CHOICES, MAX_ALONG, Ball
 from ..analysis.basin import AXES, basin, fate_counts, stable_gait
 from ..analysis.preview import REFINEMENTS
@@ -65,7 +65,9 @@ def basin_command(
         given["ball"] = ball = proved_ball(gait)
     with workers.executor() as executor:
         data = basin(runner, axes, executor=executor, progress=True, **given)
-        found = volume(gait, samples, ball=ball, executor=executor, progress=True) if samples else None
+        found = (
+            attraction_volume(gait, samples, ball=ball, executor=executor, progress=True) if samples else None
+        )
     result: dict[str, Any] = {
         **gait.runner.record(),
         "word": gait.word,

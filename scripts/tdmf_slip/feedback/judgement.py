@@ -18,7 +18,7 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
-from ..analysis.attraction import Robustness, Volume, robustness, volume
+from ..analysis.attraction import Robustness, Volume, attraction_volume, robustness
 from ..analysis.first_passage import FirstPassage, strides_to_fall
 from ..blocks import in_order
 from ..checks import check_kind, checked, refusal
@@ -151,5 +151,5 @@ def _judged(grounds: Sequence[RoughGround], seed: int, trial: tuple[Gait, Law | 
         strides_to_fall(gait.runner, ground, RUNNERS, max_strides=MAX_STRIDES, gait=gait, law=law)
         for ground in grounds
     )
-    attracted = volume(gait, SAMPLES, seed=seed, law=quiet)
+    attracted = attraction_volume(gait, SAMPLES, seed=seed, law=quiet)
     return Judgement(gait, law, attracted, robustness(gait, law=quiet), tuple(passages))

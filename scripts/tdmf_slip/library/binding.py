@@ -26,7 +26,27 @@ NAMES = {"win32": "tdmf_slip_shared.dll", "darwin": "libtdmf_slip_shared.dylib"}
 
 
 def library_path() -> Path:
-    """Path of the shared library: that of the variable TDMF_SLIP_LIBRARY, else the package's own."""
+    """Return the path of the C library, to which a program in C is linked.
+
+    It is the file that the environment variable TDMF_SLIP_LIBRARY names, else the package's own. The folder
+    of the latter also has the headers.
+
+    Returns
+    -------
+    Path
+        Path of a file that exists.
+
+    Raises
+    ------
+    InputError
+        There is no such file.
+
+    Examples
+    --------
+    >>> import tdmf_slip
+    >>> (tdmf_slip.library_path().parent / "tdmf_slip" / "tdmf_slip.h").is_file()
+    True
+    """
     override = os.environ.get(PATH_VARIABLE)
     path = Path(override) if override else FOLDER / NAMES.get(sys.platform, "libtdmf_slip_shared.so")
     if not path.is_file():

@@ -200,14 +200,43 @@ def heights(slip: PageRunner, count: int, energy: float = ENERGY) -> NDArray[np.
     return np.linspace(low, highest(slip, energy), count + 2)[1:-1]
 
 
-def fixed_points(
+def classic_gaits(
     angle: float,
     energy: float = ENERGY,
     *,
     ground_slope: float = 0.0,
     retraction_rate: float = 0.0,
 ) -> list[FixedPoint]:
-    """All gaits of a touchdown angle that repeat their height at one energy."""
+    """Find all gaits of the classic SLIP at a touchdown angle and an energy, stable or not.
+
+    Parameters
+    ----------
+    angle : float
+        Touchdown angle, rad.
+    energy : float, default 6000
+        Energy at the apex, J, by default that of the paper.
+    ground_slope : float, default 0.0
+        Slope of the ground, rad, positive uphill.
+    retraction_rate : float, default 0.0
+        Rate at which the leg turns back after the apex, rad/s.
+
+    Returns
+    -------
+    list of FixedPoint
+        The gaits by their height: `height`, m; `slope` of the map from apex height to apex height, which is
+        between -1 and 1 if the gait is stable; `stance_friction` and `impact_friction`, which they need.
+
+    Raises
+    ------
+    InputError
+        A value is out of its range.
+
+    Examples
+    --------
+    >>> import math, tdmf_slip
+    >>> [round(gait.height, 3) for gait in tdmf_slip.classic_gaits(math.radians(40))]
+    [1.037, 3.548]
+    """
     given = {"ground_slope": ground_slope, "retraction_rate": retraction_rate}
     runner = slip(angle, **given)
     found: list[FixedPoint] = []
@@ -222,11 +251,38 @@ def fixed_points(
     return found
 
 
-def fold(energy: float = ENERGY, *, ground_slope: float = 0.0, retraction_rate: float = 0.0) -> FixedPoint:
-    """Where, over the touchdown angle, the stable and the unstable gait of an energy meet and vanish.
+def classic_fold(
+    energy: float = ENERGY, *, ground_slope: float = 0.0, retraction_rate: float = 0.0
+) -> FixedPoint:
+    """Find the touchdown angle at which the stable and the unstable gait of the classic SLIP meet and vanish.
 
-    On a slope, or of a leg that retracts, it is followed there from that on level ground of a leg that is
-    held.
+    On a slope, or with a leg that retracts, the fold is followed from the one on level ground with a leg that
+    keeps its angle.
+
+    Parameters
+    ----------
+    energy : float, default 6000
+        Energy at the apex, J, by default that of the paper.
+    ground_slope : float, default 0.0
+        Slope of the ground, rad, positive uphill.
+    retraction_rate : float, default 0.0
+        Rate at which the leg turns back after the apex, rad/s.
+
+    Returns
+    -------
+    FixedPoint
+        The gait at the fold; `angle` is its touchdown angle, rad.
+
+    Raises
+    ------
+    RunError
+        No fold was found.
+
+    Examples
+    --------
+    >>> import math, tdmf_slip
+    >>> round(math.degrees(tdmf_slip.classic_fold().angle), 2)
+    44.59
     """
     point = np.array([math.radians(44.0), 2.0])
     moves = ground_slope != 0.0 or retraction_rate != 0.0

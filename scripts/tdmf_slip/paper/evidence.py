@@ -117,11 +117,11 @@ class ClassicEvidence:
 @cache
 def gather_classic() -> ClassicEvidence:
     """Compute the evidence on the statements about the classic SLIP."""
-    fold = classic_slip.fold()
+    fold = classic_slip.classic_fold()
     lowest: float = brentq(_above_minus_one, *BRACKET, xtol=1e-6)
-    return ClassicEvidence(classic_slip.fixed_points(math.radians(SLIP_ANGLE))[0], lowest, fold)
+    return ClassicEvidence(classic_slip.classic_gaits(math.radians(SLIP_ANGLE))[0], lowest, fold)
 
 
 def _above_minus_one(angle: float) -> float:
     """Slope of the map at the lower gait, plus one."""
-    return classic_slip.fixed_points(angle)[0].slope + 1.0
+    return classic_slip.classic_gaits(angle)[0].slope + 1.0

@@ -31,6 +31,7 @@ from typing import Any
 import numpy as np
 from flint import arb, arb_mat, arb_poly, ctx
 
+from ..errors import RunError
 from ..library.section import COORDINATES
 from .dual import Dual, Number, UndecidedError, identity, norm, slope_of, value_of
 from .flow import Flow, Tube, Values, fades, rates, speeds
@@ -369,7 +370,35 @@ class Section:
 
 
 def tube_along(gait: RunnerLike = None, radius: Radius = Fraction(1, 10**8)) -> list[Section]:
-    """The tube of all starts around a gait's apex, along a stride."""
+    """Enclose all motions that start near a gait's apex, along one stride.
+
+    Parameters
+    ----------
+    gait : runner or Gait, optional
+        The gait, or the runner whose gait is found.
+    radius : str, Fraction or float, default 1e-8
+        Largest distance of a start from the apex in each coordinate, over the coordinate's scale.
+
+    Returns
+    -------
+    list of Section
+        Sections of the tube at the ends of the steps: `time`, `contact`, and the `middle` and `radius` of
+        each state's enclosure.
+
+    Raises
+    ------
+    InputError
+        A value is not allowed.
+    RunError
+        The tube is too wide to decide an event.
+
+    Examples
+    --------
+    >>> import tdmf_slip
+    >>> tube = tdmf_slip.tube_along({"ground.friction": "0.6"}, "1e-8")
+    >>> tube[-1].radius["angle"] < 1e-5
+    True
+    """
     found, values = gait_of(gait)
     size = radius_of(radius)
     with ctx.workprec(BITS):
@@ -377,8 +406,13 @@ def tube_along(gait: RunnerLike = None, radius: Radius = Fraction(1, 10**8)) -> 
         starts = Starts.around([arb(float(x)) for x in found.apex], ball_of(size), scales)
         traveller = SetTraveller(Parameters(values), starts, BITS)
         sections = [_section(traveller)]
-        while not traveller.step():
-            sections.append(_section(traveller))
+        try:
+            while not traveller.step():
+                sections.append(_section(traveller))
+        except UndecidedError as open_question:
+            raise RunError(
+                f"radius = {radius}: too wide to decide {open_question}; try a smaller one"
+            ) from None
         return [*sections, _section(traveller)]
 
 

@@ -44,7 +44,7 @@ SHOWN = (0, 1, 2, 3, 4)
 
 def step_table(_results: Results) -> pandas.DataFrame:
     """Path of the mass over a step of the stable gait at 40 degrees, with the foot at x = 0."""
-    slip, height = classic_slip.slip(ANGLE), classic_slip.fixed_points(ANGLE)[0].height
+    slip, height = classic_slip.slip(ANGLE), classic_slip.classic_gaits(ANGLE)[0].height
     step = classic_slip.step(slip, height)
     ends = np.cumsum([0.0, step.touchdown_time, step.stance_time])
     times = np.linspace(ends, [*ends[1:], step.time], POINTS).T.ravel()
@@ -93,8 +93,8 @@ def map_table(_: Results) -> pandas.DataFrame:
 
 def gait_table(_: Results) -> pandas.DataFrame:
     """Gaits against the touchdown angle by column; the last one is the fold."""
-    gaits = [g for angle in SWEPT for g in classic_slip.fixed_points(math.radians(angle))]
-    gaits.append(classic_slip.fold())
+    gaits = [g for angle in SWEPT for g in classic_slip.classic_gaits(math.radians(angle))]
+    gaits.append(classic_slip.classic_fold())
     quantities = ("height", "slope", "stance_friction", "impact_friction")
     return table_of(gaits, *quantities, angle_degrees=lambda gait: math.degrees(gait.angle))
 
@@ -112,7 +112,7 @@ def draw_maps(results: Results) -> Figure:
                 next_heights[np.flatnonzero(apart > 2.0 * np.median(apart)) + 1] = np.nan
             label = rf"$\theta_0$ = {angle:g}°" if forwards else None
             axes.plot(heights, next_heights, line, color=colour, label=label)
-        for gait in classic_slip.fixed_points(math.radians(angle)):
+        for gait in classic_slip.classic_gaits(math.radians(angle)):
             axes.plot(gait.height, gait.height, "^" if gait.stable else "s", color=colour, markersize=7)
     top = classic_slip.highest(classic_slip.slip(math.radians(ANGLES[0])))
     axes.plot([0.5, top], [0.5, top], color=style.FAINT, linestyle="-.", linewidth=1.0, zorder=1)
@@ -141,7 +141,7 @@ def draw_gaits(results: Results) -> Figure:
     lowest = gather_classic().lowest
     for mark, name, angle, height in (
         ("o", "fold", data["angle_degrees"].iloc[-1], data["height"].iloc[-1]),
-        ("s", "period doubling", math.degrees(lowest), classic_slip.fixed_points(lowest)[0].height),
+        ("s", "period doubling", math.degrees(lowest), classic_slip.classic_gaits(lowest)[0].height),
     ):
         axes.plot(angle, height, mark, color=style.SECOND_CURVE, label=f"{name} at {angle:.2f}°")
     axes.legend()

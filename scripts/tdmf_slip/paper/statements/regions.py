@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from ...analysis.attraction import DISTURBED, FARTHEST, Robustness, robustness, volume
+from ...analysis.attraction import DISTURBED, FARTHEST, Robustness, attraction_volume, robustness
 from ...analysis.basin import basin
 from ...analysis.search import periodic_gait
 from ...errors import RunError
@@ -59,7 +59,7 @@ Design = Callable[[Regime, float], AffineLaw]
 @cache
 def _share(one: Gait, seed: int, law: AffineLaw | None = None) -> Estimate:
     """Share of the box of `analysis.attraction` that settles on a gait."""
-    found = volume(one, SAMPLES, seed=seed, law=law)
+    found = attraction_volume(one, SAMPLES, seed=seed, law=law)
     return Estimate(found.share, *found.interval)
 
 
