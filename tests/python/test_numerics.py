@@ -131,8 +131,8 @@ def test_a_walk_lengthens_its_steps_behind_a_narrow_stretch():
     assert sum(value > 0.1 for value in values) <= 8 and steps[-2] > 30.0 * steps[0]
 
 
-@pytest.mark.parametrize(("problem", "reached"), [(RunError, math.pi), (InputError, 0.0)])
-def test_a_walk_stops_before_a_wall_and_at_once_where_its_input_is_refused(problem, reached):
+@pytest.mark.parametrize("problem", [RunError, InputError])
+def test_a_walk_stops_before_a_wall(problem):
     def advance(_known, _at, to):
         if to > math.pi:
             raise problem("a wall")
@@ -142,7 +142,7 @@ def test_a_walk_stops_before_a_wall_and_at_once_where_its_input_is_refused(probl
     with pytest.raises(problem, match="a wall"):
         for value, _ in walk(0.0, 0.0, 10.0, advance, shortest=1e-6):
             values.append(value)
-    assert 0.0 <= reached - values[-1] < 2e-6  # the last step that failed was shorter than twice the shortest
+    assert 0.0 <= math.pi - values[-1] < 2e-6  # the last step that failed was shorter than twice the shortest
 
 
 def test_halving_finds_the_longest_step_that_succeeds():

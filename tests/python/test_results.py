@@ -123,7 +123,7 @@ def test_what_may_be_given_for_a_runner_is_the_same_everywhere():
         if "runners" in parameters and name != "strides_to_fall":
             assert parameters["runners"].annotation == "Sequence[RunnerLike]", name
             named += 1
-    assert named == 17
+    assert named == 18
 
 
 def test_a_gait_runs_in_a_file_that_says_its_speed(tmp_path):

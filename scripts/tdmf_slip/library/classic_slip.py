@@ -20,6 +20,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ..checks import checked
 from ..errors import InputError, RunError
 from ..variables.variable import Given
 from .binding import c, ffi
@@ -31,6 +32,10 @@ TOLERANCE = 1e-14
 """Relative tolerance of the solver."""
 LONGEST = 1e6
 """Time to the next apex at the most, s."""
+MAX_ENERGY = 1e7
+"""Largest energy whose gaits are looked for, J: their heights are tried one by one."""
+MAX_RATE = 1e3
+"""Largest rate at which the leg may retract, rad/s."""
 ENERGY = 6000.0
 """E0 of the paper, J."""
 NO_SLIP = 1e9
@@ -200,6 +205,13 @@ def heights(slip: PageRunner, count: int, energy: float = ENERGY) -> NDArray[np.
     return np.linspace(low, highest(slip, energy), count + 2)[1:-1]
 
 
+def _checked(energy: object, ground_slope: object, retraction_rate: object) -> tuple[float, dict[str, float]]:
+    return checked("energy", energy, 0.0, MAX_ENERGY), {
+        "ground_slope": checked("ground_slope", ground_slope, -1.0, 1.0),
+        "retraction_rate": checked("retraction_rate", retraction_rate, -MAX_RATE, MAX_RATE),
+    }
+
+
 def classic_gaits(
     angle: float,
     energy: float = ENERGY,
@@ -237,8 +249,8 @@ def classic_gaits(
     >>> [round(gait.height, 3) for gait in tdmf_slip.classic_gaits(math.radians(40))]
     [1.037, 3.548]
     """
-    given = {"ground_slope": ground_slope, "retraction_rate": retraction_rate}
-    runner = slip(angle, **given)
+    energy, given = _checked(energy, ground_slope, retraction_rate)
+    runner = slip(checked("angle", angle, -math.pi / 2, math.pi / 2), **given)
     found: list[FixedPoint] = []
     tried = heights(runner, int(highest(runner, energy) / SPACING), energy)
     at_energy = _runner("at_energy", {**runner, "energy": energy})
@@ -284,6 +296,8 @@ def classic_fold(
     >>> round(math.degrees(tdmf_slip.classic_fold().angle), 2)
     44.59
     """
+    energy, moved = _checked(energy, ground_slope, retraction_rate)
+    ground_slope, retraction_rate = moved["ground_slope"], moved["retraction_rate"]
     point = np.array([math.radians(44.0), 2.0])
     moves = ground_slope != 0.0 or retraction_rate != 0.0
     for share in np.linspace(0.0, 1.0, FOLD_STEPS) if moves else (1.0,):
