@@ -149,7 +149,7 @@ def test_a_runner_falls_as_often_as_by_waiting(name, monkeypatch):
 
 
 def test_ground_that_splitting_does_not_know_is_refused_by_name():
-    with pytest.raises(InputError, match="friction_weights: .* correlated friction"):
+    with pytest.raises(InputError, match=r"friction_weights: .* correlated friction"):
         rare_falls({}, RoughGround(0.3, friction_spread=0.1, friction_weights=(0.6, 0.8)))
     with pytest.raises(InputError, match="roughness = 0 is not allowed"):
         rare_falls({}, RoughGround(friction_spread=0.1))
