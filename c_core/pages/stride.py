@@ -123,12 +123,15 @@ class Stride(Model):
         hip, leg = r.work - r.work_then, r.leg_work - r.leg_work_then
         work, period, distance = hip + leg, r.time - r.apex_time, center.x - r.x_then
         weight = (r.body_mass + r.foot_mass) * r.gravity
+        lasts = period > 0  # a light foot may make a hop that is shorter than the rounding of the clock
         done = dict(
             count=r.count + 1, period=period, distance=distance, rise_of_stride=center.y - r.y_then,
-            hip_work=hip, leg_work_of_stride=leg, work_of_stride=work, speed=distance / period,
-            cost_of_transport=work / (weight * distance),
+            hip_work=hip, leg_work_of_stride=leg, work_of_stride=work,
+            speed=select(lasts, distance / period, center.vx),
+            cost_of_transport=select(lasts, work / (weight * distance), 0),
             positive_work=r.positive_work_so_far - r.positive_work_then, touchdowns=r.touchdowns_so_far,
-            stance_time=r.stance_so_far, duty_factor=r.stance_so_far / period, slip_distance=r.slip_so_far,
+            stance_time=r.stance_so_far, slip_distance=r.slip_so_far,
+            duty_factor=select(lasts, r.stance_so_far / period, 0),
             peak_force=r.peak_force_so_far, peak_vertical_force=r.peak_of_vertical_force(),
             word_code=r.word_so_far)
         kept = {name: select(r.is_open > 0, value, getattr(r, name)) for name, value in done.items()}

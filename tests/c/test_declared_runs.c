@@ -104,7 +104,8 @@ static const char *not_a_number(const run *run) {
                               outputs.stride.speed,   outputs.stride.cost_of_transport,
                               outputs.apex.com_height};
     for (int i = 0; i < TDMF_STATE_COUNT; ++i) {
-        if (!isfinite(motion->state[i])) {
+        /* A stride that leads nowhere has an infinite cost of transport. */
+        if (i != TDMF_STRIDE_COST_OF_TRANSPORT && !isfinite(motion->state[i])) {
             return "a state is not finite";
         }
     }

@@ -1,1 +1,1 @@
-#define FMU_GUID "{b00c1db9-eeae-007f-3f6f-6dab0c2f09c5}"
+#define FMU_GUID "{13c24ca7-f686-0469-8c29-fc4b006b5893}"

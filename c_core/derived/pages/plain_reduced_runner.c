@@ -340,13 +340,16 @@ static int react_flight_apex(const real *parameters, const real *states, const t
     const real hip_or_hip_work = select(x->is_open > 0.0, hip, x->hip_work);
     const real sum_or_positive_work = select(x->is_open > 0.0, x->positive_work_so_far
         - x->positive_work_then, x->positive_work);
-    const real distance_over_period_or_speed = select(x->is_open > 0.0, distance / period, x->speed);
+    const real distance_over_period_or_com_vx_or_speed = select(x->is_open > 0.0, select(period > 0.0,
+        distance / period, x->com_vx), x->speed);
     const real weight = body_mass_plus_foot_mass * p->gravity;
-    const real select_2 = select(x->is_open > 0.0, hip / (weight * distance), x->cost_of_transport);
+    const real select_2 = select(x->is_open > 0.0, select(period > 0.0, hip / (weight * distance), 0.0),
+        x->cost_of_transport);
     const real touchdowns_so_far_or_touchdowns = select(x->is_open > 0.0, x->touchdowns_so_far,
         x->touchdowns);
     const real stance_so_far_or_stance_time = select(x->is_open > 0.0, x->stance_so_far, x->stance_time);
-    const real select_3 = select(x->is_open > 0.0, x->stance_so_far / period, x->duty_factor);
+    const real select_3 = select(x->is_open > 0.0, select(period > 0.0, x->stance_so_far / period, 0.0),
+        x->duty_factor);
     const real slip_so_far_or_slip_distance = select(x->is_open > 0.0, x->slip_so_far, x->slip_distance);
     const real peak_force_so_far_or_peak_force = select(x->is_open > 0.0, x->peak_force_so_far,
         x->peak_force);
@@ -371,7 +374,7 @@ static int react_flight_apex(const real *parameters, const real *states, const t
     y->work_of_stride = hip_or_work_of_stride;
     y->hip_work = hip_or_hip_work;
     y->positive_work = sum_or_positive_work;
-    y->speed = distance_over_period_or_speed;
+    y->speed = distance_over_period_or_com_vx_or_speed;
     y->cost_of_transport = select_2;
     y->touchdowns = touchdowns_so_far_or_touchdowns;
     y->stance_time = stance_so_far_or_stance_time;
@@ -430,27 +433,27 @@ static void vary_react_flight_apex(const real *parameters, const real *states, c
     const real d_hip_or_hip_work = select(x->is_open > 0.0, d_hip, dx->hip_work);
     const real sum_or_positive_work = select(x->is_open > 0.0, dx->positive_work_so_far
         - dx->positive_work_then, dx->positive_work);
-    const real distance = x->com_x - x->x_then;
     const real period = x->time - x->apex_time;
-    const real sum_over_period_or_speed = select(x->is_open > 0.0, (d_distance
-        - distance / period * d_period) / period, dx->speed);
+    const real distance = x->com_x - x->x_then;
+    const real sum_over_period_or_com_vx_or_speed = select(x->is_open > 0.0, select(period > 0.0,
+        (d_distance - distance / period * d_period) / period, dx->com_vx), dx->speed);
     const real weight = body_mass_plus_foot_mass * p->gravity;
     const real weight_times_distance = weight * distance;
     const real body_mass_plus_foot_mass_2 = dp->body_mass + dp->foot_mass;
     const real hip = x->work - x->work_then;
     const real d_weight = p->gravity * body_mass_plus_foot_mass_2 + body_mass_plus_foot_mass * dp->gravity;
-    const real ratio_or_cost_of_transport = select(x->is_open > 0.0, (d_hip
+    const real ratio_or_by_0_or_cost_of_transport = select(x->is_open > 0.0, select(period > 0.0, (d_hip
         - hip / weight_times_distance * (d_weight * distance + weight * d_distance)) / weight_times_distance,
-        dx->cost_of_transport);
+        0.0), dx->cost_of_transport);
     const real touchdowns_so_far_or_touchdowns = select(x->is_open > 0.0, dx->touchdowns_so_far,
         dx->touchdowns);
     const real stance_so_far_or_stance_time = select(x->is_open > 0.0, dx->stance_so_far, dx->stance_time);
-    const real select_2 = select(x->is_open > 0.0, (dx->stance_so_far
-        - x->stance_so_far / period * d_period) / period, dx->duty_factor);
+    const real select_or_duty_factor = select(x->is_open > 0.0, select(period > 0.0, (dx->stance_so_far
+        - x->stance_so_far / period * d_period) / period, 0.0), dx->duty_factor);
     const real slip_so_far_or_slip_distance = select(x->is_open > 0.0, dx->slip_so_far, dx->slip_distance);
     const real peak_force_so_far_or_peak_force = select(x->is_open > 0.0, dx->peak_force_so_far,
         dx->peak_force);
-    const real select_3 = select(x->is_open > 0.0, dx->peak_force_so_far, dx->peak_vertical_force);
+    const real select_2 = select(x->is_open > 0.0, dx->peak_force_so_far, dx->peak_vertical_force);
     y->is_open = 0.0;
     y->work_then = dx->work;
     y->positive_work_then = dx->positive_work_so_far;
@@ -471,14 +474,14 @@ static void vary_react_flight_apex(const real *parameters, const real *states, c
     y->work_of_stride = d_hip_or_work_of_stride;
     y->hip_work = d_hip_or_hip_work;
     y->positive_work = sum_or_positive_work;
-    y->speed = sum_over_period_or_speed;
-    y->cost_of_transport = ratio_or_cost_of_transport;
+    y->speed = sum_over_period_or_com_vx_or_speed;
+    y->cost_of_transport = ratio_or_by_0_or_cost_of_transport;
     y->touchdowns = touchdowns_so_far_or_touchdowns;
     y->stance_time = stance_so_far_or_stance_time;
-    y->duty_factor = select_2;
+    y->duty_factor = select_or_duty_factor;
     y->slip_distance = slip_so_far_or_slip_distance;
     y->peak_force = peak_force_so_far_or_peak_force;
-    y->peak_vertical_force = select_3;
+    y->peak_vertical_force = select_2;
     y->apex_time = dx->time;
     y->apex_com_height = dx->com_y;
     y->apex_com_speed = dx->com_vx;

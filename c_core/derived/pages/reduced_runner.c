@@ -538,13 +538,16 @@ static int react_flight_apex(const real *parameters, const real *states, const t
     const real leg_or_leg_work_of_stride = select(x->is_open > 0.0, leg, x->leg_work_of_stride);
     const real sum_or_positive_work = select(x->is_open > 0.0, x->positive_work_so_far
         - x->positive_work_then, x->positive_work);
-    const real distance_over_period_or_speed = select(x->is_open > 0.0, distance / period, x->speed);
+    const real distance_over_period_or_com_vx_or_speed = select(x->is_open > 0.0, select(period > 0.0,
+        distance / period, x->com_vx), x->speed);
     const real weight = body_mass_plus_foot_mass * p->gravity;
-    const real select_2 = select(x->is_open > 0.0, work / (weight * distance), x->cost_of_transport);
+    const real select_2 = select(x->is_open > 0.0, select(period > 0.0, work / (weight * distance), 0.0),
+        x->cost_of_transport);
     const real touchdowns_so_far_or_touchdowns = select(x->is_open > 0.0, x->touchdowns_so_far,
         x->touchdowns);
     const real stance_so_far_or_stance_time = select(x->is_open > 0.0, x->stance_so_far, x->stance_time);
-    const real select_3 = select(x->is_open > 0.0, x->stance_so_far / period, x->duty_factor);
+    const real select_3 = select(x->is_open > 0.0, select(period > 0.0, x->stance_so_far / period, 0.0),
+        x->duty_factor);
     const real slip_so_far_or_slip_distance = select(x->is_open > 0.0, x->slip_so_far, x->slip_distance);
     const real peak_force_so_far_or_peak_force = select(x->is_open > 0.0, x->peak_force_so_far,
         x->peak_force);
@@ -577,7 +580,7 @@ static int react_flight_apex(const real *parameters, const real *states, const t
     y->hip_work = hip_or_hip_work;
     y->leg_work_of_stride = leg_or_leg_work_of_stride;
     y->positive_work = sum_or_positive_work;
-    y->speed = distance_over_period_or_speed;
+    y->speed = distance_over_period_or_com_vx_or_speed;
     y->cost_of_transport = select_2;
     y->touchdowns = touchdowns_so_far_or_touchdowns;
     y->stance_time = stance_so_far_or_stance_time;
@@ -648,10 +651,10 @@ static void vary_react_flight_apex(const real *parameters, const real *states, c
     const real d_leg_or_leg_work_of_stride = select(x->is_open > 0.0, d_leg, dx->leg_work_of_stride);
     const real sum_or_positive_work = select(x->is_open > 0.0, dx->positive_work_so_far
         - dx->positive_work_then, dx->positive_work);
-    const real distance = x->com_x - x->x_then;
     const real period = x->time - x->apex_time;
-    const real sum_over_period_or_speed = select(x->is_open > 0.0, (d_distance
-        - distance / period * d_period) / period, dx->speed);
+    const real distance = x->com_x - x->x_then;
+    const real sum_over_period_or_com_vx_or_speed = select(x->is_open > 0.0, select(period > 0.0,
+        (d_distance - distance / period * d_period) / period, dx->com_vx), dx->speed);
     const real weight = body_mass_plus_foot_mass * p->gravity;
     const real weight_times_distance = weight * distance;
     const real body_mass_plus_foot_mass_2 = dp->body_mass + dp->foot_mass;
@@ -659,14 +662,14 @@ static void vary_react_flight_apex(const real *parameters, const real *states, c
     const real leg = x->leg_work - x->leg_work_then;
     const real work = hip + leg;
     const real d_weight = p->gravity * body_mass_plus_foot_mass_2 + body_mass_plus_foot_mass * dp->gravity;
-    const real ratio_or_cost_of_transport = select(x->is_open > 0.0, (d_work
+    const real ratio_or_by_0_or_cost_of_transport = select(x->is_open > 0.0, select(period > 0.0, (d_work
         - work / weight_times_distance * (d_weight * distance + weight * d_distance)) / weight_times_distance,
-        dx->cost_of_transport);
+        0.0), dx->cost_of_transport);
     const real touchdowns_so_far_or_touchdowns = select(x->is_open > 0.0, dx->touchdowns_so_far,
         dx->touchdowns);
     const real stance_so_far_or_stance_time = select(x->is_open > 0.0, dx->stance_so_far, dx->stance_time);
-    const real select_2 = select(x->is_open > 0.0, (dx->stance_so_far
-        - x->stance_so_far / period * d_period) / period, dx->duty_factor);
+    const real select_or_duty_factor = select(x->is_open > 0.0, select(period > 0.0, (dx->stance_so_far
+        - x->stance_so_far / period * d_period) / period, 0.0), dx->duty_factor);
     const real slip_so_far_or_slip_distance = select(x->is_open > 0.0, dx->slip_so_far, dx->slip_distance);
     const real peak_force_so_far_or_peak_force = select(x->is_open > 0.0, dx->peak_force_so_far,
         dx->peak_force);
@@ -706,11 +709,11 @@ static void vary_react_flight_apex(const real *parameters, const real *states, c
     y->hip_work = d_hip_or_hip_work;
     y->leg_work_of_stride = d_leg_or_leg_work_of_stride;
     y->positive_work = sum_or_positive_work;
-    y->speed = sum_over_period_or_speed;
-    y->cost_of_transport = ratio_or_cost_of_transport;
+    y->speed = sum_over_period_or_com_vx_or_speed;
+    y->cost_of_transport = ratio_or_by_0_or_cost_of_transport;
     y->touchdowns = touchdowns_so_far_or_touchdowns;
     y->stance_time = stance_so_far_or_stance_time;
-    y->duty_factor = select_2;
+    y->duty_factor = select_or_duty_factor;
     y->slip_distance = slip_so_far_or_slip_distance;
     y->peak_force = peak_force_so_far_or_peak_force;
     y->peak_vertical_force = vertical_so_far_or_peak_vertical_force;

@@ -3839,11 +3839,13 @@ static int react_flight_calm_apex(const real *parameters, const real *states, co
     y->leg_work_of_stride = select(x->is_open > 0.0, leg, x->leg_work_of_stride);
     y->positive_work = select(x->is_open > 0.0, x->positive_work_so_far - x->positive_work_then,
         x->positive_work);
-    y->speed = select(x->is_open > 0.0, distance / period, x->speed);
-    y->cost_of_transport = select(x->is_open > 0.0, work / (weight * distance), x->cost_of_transport);
+    y->speed = select(x->is_open > 0.0, select(period > 0.0, distance / period, x->com_vx), x->speed);
+    y->cost_of_transport = select(x->is_open > 0.0, select(period > 0.0, work / (weight * distance), 0.0),
+        x->cost_of_transport);
     y->touchdowns = select(x->is_open > 0.0, x->touchdowns_so_far, x->touchdowns);
     y->stance_time = select(x->is_open > 0.0, x->stance_so_far, x->stance_time);
-    y->duty_factor = select(x->is_open > 0.0, x->stance_so_far / period, x->duty_factor);
+    y->duty_factor = select(x->is_open > 0.0, select(period > 0.0, x->stance_so_far / period, 0.0),
+        x->duty_factor);
     y->slip_distance = select(x->is_open > 0.0, x->slip_so_far, x->slip_distance);
     y->peak_force = select(x->is_open > 0.0, x->peak_force_so_far, x->peak_force);
     y->peak_vertical_force = select(x->is_open > 0.0, x->vertical_so_far, x->peak_vertical_force);
@@ -3874,8 +3876,8 @@ static void vary_react_flight_calm_apex(const real *parameters, const real *stat
     const real d_hip = dx->work - dx->work_then;
     const real d_leg = dx->leg_work - dx->leg_work_then;
     const real d_work = d_hip + d_leg;
-    const real distance = x->com_x - x->x_then;
     const real period = x->time - x->apex_time;
+    const real distance = x->com_x - x->x_then;
     const real hip = x->work - x->work_then;
     const real leg = x->leg_work - x->leg_work_then;
     const real work = hip + leg;
@@ -3918,14 +3920,15 @@ static void vary_react_flight_calm_apex(const real *parameters, const real *stat
     y->leg_work_of_stride = select(x->is_open > 0.0, d_leg, dx->leg_work_of_stride);
     y->positive_work = select(x->is_open > 0.0, dx->positive_work_so_far - dx->positive_work_then,
         dx->positive_work);
-    y->speed = select(x->is_open > 0.0, (d_distance - distance / period * d_period) / period, dx->speed);
-    y->cost_of_transport = select(x->is_open > 0.0, (d_work
+    y->speed = select(x->is_open > 0.0, select(period > 0.0, (d_distance
+        - distance / period * d_period) / period, dx->com_vx), dx->speed);
+    y->cost_of_transport = select(x->is_open > 0.0, select(period > 0.0, (d_work
         - work / weight_times_distance * (d_weight * distance + weight * d_distance)) / weight_times_distance,
-        dx->cost_of_transport);
+        0.0), dx->cost_of_transport);
     y->touchdowns = select(x->is_open > 0.0, dx->touchdowns_so_far, dx->touchdowns);
     y->stance_time = select(x->is_open > 0.0, dx->stance_so_far, dx->stance_time);
-    y->duty_factor = select(x->is_open > 0.0, (dx->stance_so_far
-        - x->stance_so_far / period * d_period) / period, dx->duty_factor);
+    y->duty_factor = select(x->is_open > 0.0, select(period > 0.0, (dx->stance_so_far
+        - x->stance_so_far / period * d_period) / period, 0.0), dx->duty_factor);
     y->slip_distance = select(x->is_open > 0.0, dx->slip_so_far, dx->slip_distance);
     y->peak_force = select(x->is_open > 0.0, dx->peak_force_so_far, dx->peak_force);
     y->peak_vertical_force = select(x->is_open > 0.0, dx->vertical_so_far, dx->peak_vertical_force);
