@@ -6,9 +6,9 @@ An apex has a height above the ground vertically below it, and an energy m (v^2/
 The energy of the motion is conserved. On a slope the ground below the next apex is higher or lower, and the
 energy above it is less by m g L tan(slope), L being the length of the step, which is positive. So on a slope
 no gait repeats both height and energy: uphill the runner loses energy above the ground with every step,
-downhill it gains. What `fixed_points` gives there are gaits that repeat their height at one energy: those of
-a runner to which something gives back at each apex, as speed, what the climb has cost, or takes what the
-descent has gained. `step` goes on without.
+downhill it gains. There `classic_gaits` finds gaits that repeat their height at one energy: at each apex a
+change of speed gives back the energy that the climb has cost, or takes what the descent has gained. `step`
+makes no such change.
 """
 
 import math
@@ -20,7 +20,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..checks import checked
+from ..checks import check_size
 from ..errors import InputError, RunError
 from ..variables.variable import Given
 from .binding import c, ffi
@@ -32,16 +32,14 @@ TOLERANCE = 1e-14
 """Relative tolerance of the solver."""
 LONGEST = 1e6
 """Time to the next apex at the most, s."""
-MAX_ENERGY = 1e7
-"""Largest energy whose gaits are looked for, J: their heights are tried one by one."""
-MAX_RATE = 1e3
-"""Largest rate at which the leg may retract, rad/s."""
 ENERGY = 6000.0
 """E0 of the paper, J."""
 NO_SLIP = 1e9
 """Friction at which the foot never slips."""
 SPACING = 0.02
 """Distance of the apex heights between which fixed points are searched, m."""
+MAX_HEIGHTS = 1_000_000
+"""Largest number of these heights."""
 FOLD_STEPS = 11
 """Steps in which a fold is followed to a slope and a rate of retraction."""
 Outcome = Literal["flies", "turns back", "slides", "falls", "no start"]
@@ -205,13 +203,6 @@ def heights(slip: PageRunner, count: int, energy: float = ENERGY) -> NDArray[np.
     return np.linspace(low, highest(slip, energy), count + 2)[1:-1]
 
 
-def _checked(energy: object, ground_slope: object, retraction_rate: object) -> tuple[float, dict[str, float]]:
-    return checked("energy", energy, 0.0, MAX_ENERGY), {
-        "ground_slope": checked("ground_slope", ground_slope, -1.0, 1.0),
-        "retraction_rate": checked("retraction_rate", retraction_rate, -MAX_RATE, MAX_RATE),
-    }
-
-
 def classic_gaits(
     angle: float,
     energy: float = ENERGY,
@@ -249,11 +240,12 @@ def classic_gaits(
     >>> [round(gait.height, 3) for gait in tdmf_slip.classic_gaits(math.radians(40))]
     [1.037, 3.548]
     """
-    energy, given = _checked(energy, ground_slope, retraction_rate)
-    runner = slip(checked("angle", angle, -math.pi / 2, math.pi / 2), **given)
-    found: list[FixedPoint] = []
-    tried = heights(runner, int(highest(runner, energy) / SPACING), energy)
-    at_energy = _runner("at_energy", {**runner, "energy": energy})
+    given = {"touchdown_angle": angle, "slope": ground_slope, "retraction_rate": retraction_rate}
+    at_energy = _runner("at_energy", given | {"energy": energy})
+    runner, energy = _runner("at_apex", at_energy), at_energy["energy"]
+    count = int(highest(runner, energy) / SPACING)
+    check_size("energy", count, "heights to try", MAX_HEIGHTS)
+    tried, found = heights(runner, count, energy), []
     for (low, before), (high, after) in pairwise(zip(tried, steps(runner, tried, energy), strict=True)):
         crosses = (before.next_height - low) * (after.next_height - high) <= 0.0
         if before.outcome == FLIES and after.outcome == FLIES and crosses:
@@ -287,6 +279,8 @@ def classic_fold(
 
     Raises
     ------
+    InputError
+        A value is out of its range.
     RunError
         No fold was found.
 
@@ -296,13 +290,13 @@ def classic_fold(
     >>> round(math.degrees(tdmf_slip.classic_fold().angle), 2)
     44.59
     """
-    energy, moved = _checked(energy, ground_slope, retraction_rate)
-    ground_slope, retraction_rate = moved["ground_slope"], moved["retraction_rate"]
+    asked = {"energy": energy, "slope": ground_slope, "retraction_rate": retraction_rate}
+    checked = _runner("at_energy", asked)
+    energy = checked["energy"]
+    given = {"ground_slope": checked["slope"], "retraction_rate": checked["retraction_rate"]}
     point = np.array([math.radians(44.0), 2.0])
-    moves = ground_slope != 0.0 or retraction_rate != 0.0
-    for share in np.linspace(0.0, 1.0, FOLD_STEPS) if moves else (1.0,):
-        given = {"ground_slope": share * ground_slope, "retraction_rate": share * retraction_rate}
-        point = _fold(point, energy, given)
+    for share in np.linspace(0.0, 1.0, FOLD_STEPS) if any(given.values()) else (1.0,):
+        point = _fold(point, energy, {name: share * value for name, value in given.items()})
     return _fixed_point(slip(point[0], **given), point[1], energy)
 
 
