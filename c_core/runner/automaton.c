@@ -76,7 +76,7 @@ static void write_world_state(const tdmf_page_point *point, double state[TDMF_ST
     tdmf_show_to_world(&tdmf_runner_model, point->mode, (const double *)&point->p, state, (double *)&room);
 }
 
-/* Coordinates that no event changes keep their values, which the maps to the page and back round. */
+/* Coordinates that no event changes keep their values. The maps to the page and back would round them. */
 bool tdmf_settle_motion(tdmf_system system, tdmf_motion_instant *instant, tdmf_motion *motion,
                         tdmf_chain *chain) {
     tdmf_page_point *point = &instant->point;

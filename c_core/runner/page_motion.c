@@ -25,8 +25,10 @@ static void write_rates(const tdmf_inputs *rates, runner_states *x) {
 
 /* ---- time and heights ---------------------------------------------------------------------------------- */
 
-/* Sets the clock of the page where the caller has set the time of the motion anew. No event is later than the
- * clock, or else those to come would not count. A touchdown at this instant was one before the call. */
+/* Sets the clock of the page where the caller has set the time of the motion anew. An event later than the
+ * clock would keep the next events from counting. A touchdown at this instant counts as earlier than the
+ * call.
+ */
 static void read_clock(const tdmf_motion *motion, tdmf_page_point *point) {
     runner_states *x = &point->x;
     if (motion->begun + x->time == motion->time) {
@@ -41,8 +43,8 @@ static void read_clock(const tdmf_motion *motion, tdmf_page_point *point) {
     }
 }
 
-/* Sets the clock of the page to the time of its run, which is rounded less, and times of this instant, too.
- */
+/* Sets the clock of the page, and the times of events at this instant, to the time of the run, which is
+ * rounded less. */
 static void write_clock(double time, runner_states *x) {
     double *const times[] = {&x->last_event, &x->mode_began, &x->apex_time, &x->touchdown_time};
     for (size_t i = 0; i < sizeof times / sizeof *times; ++i) {

@@ -35,7 +35,7 @@ class InTurn(Executor):
 
 
 def check_executor(executor: object) -> None:
-    """Refuse what runs no blocks."""
+    """Refuse an object that is not an executor."""
     check_kind(
         executor,
         (Executor, NoneType),

@@ -173,10 +173,10 @@ def check_names(
     for name in given:
         if not is_one_of(name, known):
             near = near_matches(name, (*known, *also))
-            if not allowed and not (near and len(known) > MAX_LISTED):
-                allowed = ", ".join(known)
-            allowed = f"; allowed: {allowed}" if allowed else ""
-            raise InputError(f"{what}: {shown(name)} is not allowed{allowed}{near}")
+            is_listed = not near or len(known) <= MAX_LISTED
+            choice = allowed or (", ".join(known) if is_listed else "")
+            hint = f"; allowed: {choice}" if choice else ""
+            raise InputError(f"{what}: {shown(name)} is not allowed{hint}{near}")
 
 
 def check_once(names: Iterable[object], what: str) -> None:

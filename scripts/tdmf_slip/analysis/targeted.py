@@ -42,7 +42,7 @@ from .target import (
 )
 
 TRAVEL = ("speed", "frequency", "length")
-"""Three quantities, any two of which determine the third."""
+"""Quantities of a stride; two of them determine the third, because length is speed over frequency."""
 MINIMUM, MAXIMUM = 1e-9, 1e9
 """Least and largest prescribed value, in SI units."""
 MET = 1e-10
@@ -221,7 +221,7 @@ def checked_target(target: object, model: Model, from_zero: Sequence[str] = ()) 
         checked_quantity(name, "target", model)
     if all(name in given for name in TRAVEL):
         raise InputError("target: speed, frequency and length; allowed: two of them, the third follows")
-    signed = allowed_quantities(model) if model.is_own else SIGNED
+    signed = allowed_quantities(model) if model.is_page else SIGNED
     maximum, minimum = {"duty_factor": 1.0}, dict.fromkeys(signed, -MAXIMUM) | dict.fromkeys(from_zero, 0.0)
     numbers = {name: quantity_given(name, value, "target", model) for name, value in given.items()}
     return {

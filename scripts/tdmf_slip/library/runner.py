@@ -292,8 +292,8 @@ class Runner(Mapping[str, Value]):
     ) -> "Strides":
         """One stride from an apex; with `is_reported` also its events and the measured quantities.
 
-        With `varied` it is differentiated by the coordinates, and along a direction if one is given. What is
-        measured then comes from a plain stride, because its derivatives would take longer than that.
+        With `varied` it is differentiated by the coordinates, and along a direction if one is given. Measured
+        quantities then come from a second, plain stride, which takes less time than their derivatives.
         """
         log = ffi.new("tdmf_event_log *") if is_reported else None
 
