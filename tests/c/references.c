@@ -13,6 +13,14 @@
 
 static const double degree = 0.017453292519943295;
 
+/* Default inputs but for the ground; slope in rad. */
+static tdmf_inputs inputs_on(double friction, double slope) {
+    tdmf_inputs inputs = tdmf_default_inputs();
+    inputs.ground.friction = friction;
+    inputs.ground.slope = slope;
+    return inputs;
+}
+
 /* ---- gaits beyond the paper ---------------------------------------------------------------------------- */
 
 runner runner_at_further_apex(const further_gait *further) {
@@ -39,9 +47,7 @@ tdmf_parameters parameters_of_further_gait(const further_gait *further) {
 }
 
 tdmf_inputs inputs_of_further_gait(const further_gait *further) {
-    tdmf_inputs inputs = tdmf_default_inputs();
-    inputs.ground.friction = further->gait.friction;
-    inputs.ground.slope = further->slope * degree;
+    tdmf_inputs inputs = inputs_on(further->gait.friction, further->slope * degree);
     inputs.body.external_fx = further->external_fx;
     inputs.body.external_fy = further->external_fy;
     return inputs;
@@ -83,10 +89,7 @@ tdmf_parameters parameters_of_patch_run(const patch_run *run) {
 }
 
 tdmf_inputs inputs_of_patch_run(const patch_run *run) {
-    tdmf_inputs inputs = tdmf_default_inputs();
-    inputs.ground.friction = run->friction;
-    inputs.ground.slope = run->slope;
-    return inputs;
+    return inputs_on(run->friction, run->slope);
 }
 
 /* ---- gaits of the reduced map -------------------------------------------------------------------------- */
@@ -100,8 +103,5 @@ tdmf_parameters parameters_of_reduced_gait(const reduced_gait *gait) {
 }
 
 tdmf_inputs inputs_of_reduced_gait(const reduced_gait *gait) {
-    tdmf_inputs inputs = tdmf_default_inputs();
-    inputs.ground.friction = gait->friction;
-    inputs.ground.slope = gait->slope * degree;
-    return inputs;
+    return inputs_on(gait->friction, gait->slope * degree);
 }

@@ -129,7 +129,7 @@ typedef struct {
     int strides;
     const char *words[MAX_STRIDES_OF_RUN];
     double end_apex[TDMF_SECTION_COUNT], end_foot_x, end_time;
-    double first_apex[TDMF_SECTION_COUNT], first_foot_x; /* after one stride, where it is told */
+    double first_apex[TDMF_SECTION_COUNT], first_foot_x; /* after one stride, if reported */
     int crossings;
     double crossing_times[MAX_CROSSINGS];
     struct {

@@ -88,6 +88,12 @@ def test_runners_settle_on_their_own_gait(gaits, starts):
     assert ends.attributes["work_done"]["strides"] == ends["strides"].sum()
 
 
+def test_a_runner_too_stiff_is_given_up_at_its_first_step(gaits, starts):
+    ends = Batch(gaits[0].runner.replace({"hip.kd": 2.5e13}), starts[:50]).run(400, gaits[0])
+    assert (ends.fate == engine.UNSOLVED).all()
+    assert ends.attributes["work_done"]["steps"] <= 50
+
+
 @pytest.mark.parametrize(
     "wrong",
     [

@@ -263,7 +263,8 @@ def test_a_run_begins_on_the_gait_that_was_printed(command, monkeypatch):
 )
 def test_what_is_no_gait_is_told(command, monkeypatch, text):
     monkeypatch.setattr(sys, "stdin", io.StringIO(text))
-    assert "-" in command.refusal("simulate", "--from-gait", "-", "--strides", 1)
+    refused = command.refusal("simulate", "--from-gait", "-", "--strides", 1)
+    assert "standard input" in refused or "--from-gait -:" in refused
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="a full device is one of Linux")
