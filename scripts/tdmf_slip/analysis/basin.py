@@ -75,7 +75,7 @@ def axes_of(axes: Any, model: Model) -> dict[str, tuple[float, float] | None]:
 def range_around(gait: Gait, axis: str) -> tuple[float, float]:
     """Ends of a range of a coordinate that contains the gait and most of its region of attraction."""
     check_is_gait(gait, "gait")
-    names = gait.runner.coordinates if gait.runner.model.is_own else COORDINATES
+    names = gait.runner.coordinates if gait.runner.model.is_page else COORDINATES
     check_axes((axis,), names)
     index = names.index(axis)
     here, scale = gait.apex[index], gait.runner.scales[index]

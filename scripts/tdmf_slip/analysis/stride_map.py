@@ -185,7 +185,7 @@ def _dataset(batch: Batch, arrays: Mapping[str, NDArray[Any]], by: Sequence[str]
         attributes["law"] = text_of_law(batch.law)
     if batch.ground.roughness:
         attributes |= {"roughness": batch.ground.roughness, "seed": str(batch.ground.seed)}
-    record = batch.runner.record(*found, *(() if batch.model.is_own else STATES))
+    record = batch.runner.record(*found, *(() if batch.model.is_page else STATES))
     table = Table(
         dimensions, found.__getitem__, lambda: labels, about_of(batch.model), lambda: record, attributes
     )
@@ -248,7 +248,7 @@ def _derivatives_of(
     made = Batch(one, arrays["apex"][runners, strides], vary=varied).stride(along=names)
     found: dict[str, NDArray[np.float64]] = {}
     of_model = tuple(batch.model.quantities)
-    known = of_model if batch.model.is_own else differentiable(batch.runner.reduced)
+    known = of_model if batch.model.is_page else differentiable(batch.runner.reduced)
     for name in ("next_apex", *known):
         values = made[f"{name}_by"]
         found[f"{name}_by"] = np.full((*shape, *values.shape[1:]), np.nan)

@@ -115,8 +115,8 @@ def trajectory(
 
 
 def _begun(runner: RunnerLike, apex: Apex | None) -> tuple[Runner, PageRunner, NDArray[np.float64] | None]:
-    """The runner, the same by its page, and the point at which it begins; None for its start values."""
-    if model_of(runner, None).is_own:
+    """The runner, the runner of its page, and the point where the run begins; None for the start values."""
+    if model_of(runner, None).is_page:
         page = PageRunner(runner)
         start = runner.apex if apex is None and isinstance(runner, Gait) else apex
         return page, page, None if start is None else checked_apex(start, page.coordinates)

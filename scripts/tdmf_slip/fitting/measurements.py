@@ -88,7 +88,7 @@ def shipped(name: str) -> Path:
 
 def measurable(model: Model) -> tuple[str, ...]:
     """Quantities of a model's strides that may be measured."""
-    return allowed_quantities(model) if model.is_own else MEASURABLE
+    return allowed_quantities(model) if model.is_page else MEASURABLE
 
 
 def measurements_of(
@@ -148,7 +148,8 @@ def measurements_of(
                 f"{where}: column {name} without {other}; allowed: with a column {other} [{unit}], or errors="
             )
     measured = [
-        _row(factors, row, f"{where}, row {number}", model.is_own) for number, row in enumerate(rows, start=1)
+        _row(factors, row, f"{where}, row {number}", model.is_page)
+        for number, row in enumerate(rows, start=1)
     ]
     return Measurements(tuple(measured), where)
 
@@ -194,9 +195,9 @@ def _factor(title: str, where: str, units: Units, model: Model) -> tuple[str, fl
     name = name.strip()
     quantity = name.removesuffix(ERROR)
     if quantity not in measurable(model):
-        known, usual = SYNONYMS.get(quantity), measurable(model) if model.is_own else USUAL
+        known, usual = SYNONYMS.get(quantity), measurable(model) if model.is_page else USUAL
         hint = f"; near matches: {known}" if known in usual else near_matches(quantity, usual)
-        others = "" if model.is_own else f", or another of {', '.join(MEASURES)}"
+        others = "" if model.is_page else f", or another of {', '.join(MEASURES)}"
         raise InputError(
             f"{where}: column {shown(title)} is unknown; allowed: {', '.join(usual)}{others}, each with "
             f"{ERROR} as well{hint}"

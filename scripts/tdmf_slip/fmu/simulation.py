@@ -162,11 +162,11 @@ def simulate(
     2 0
     """
     own = model_of(runner, None)
-    fmu = load_fmu(own.unit if own.is_own and fmu is None else fmu)  # type: ignore[attr-defined]
+    fmu = load_fmu(own.unit if own.is_page and fmu is None else fmu)  # type: ignore[attr-defined]
     interface = interface_over(profile, interface, inputs, fmu)
-    given = own_start_values(runner, own, fmu) if own.is_own else start_values_of(runner)
+    given = own_start_values(runner, own, fmu) if own.is_page else start_values_of(runner)
     starts = fmu.variables.start_values(given, "start values")
-    if isinstance(runner, Mapping) and not hasattr(runner, "start_values") and not own.is_own:
+    if isinstance(runner, Mapping) and not hasattr(runner, "start_values") and not own.is_page:
         paper_units.warn_of_mixture({n: fmu.variables.start_of(n, starts) for n in paper_units.COMPARED})
     counts = STRIDES in fmu.variables and set(SCALES) <= set(fmu.variables)
     if strides is not None and not counts:

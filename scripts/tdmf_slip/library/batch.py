@@ -128,7 +128,7 @@ class Batch(Given):
             for one in row_of(along, "along", "names or mappings in a list")
         ]
         is_differentiated = jacobian or len(along) > 0
-        most = page_strides.SEEDS if self.model.is_own else c_structs.SEEDS
+        most = page_strides.SEEDS if self.model.is_page else c_structs.SEEDS
         parts = [
             self._exact_strides(is_differentiated, along[first : first + most])
             for first in range(0, max(len(along), 1), most)

@@ -150,7 +150,7 @@ def ends_table(batch: Given, engine: Engine, work: Mapping[str, int], recorded: 
             values = values[:, : batch.size]
         return values[0] if batch.is_single else values
 
-    names = PAGE_ENDS if batch.model.is_own else engine.ends.dtype.names or ()
+    names = PAGE_ENDS if batch.model.is_page else engine.ends.dtype.names or ()
     dimensions = dict.fromkeys(names, over) | {"apex": (*over, "coordinate")}
     return Table(
         dimensions,

@@ -71,8 +71,8 @@ class PageModel(Model):
         return PageRunner
 
     @property
-    def is_own(self) -> bool:
-        """It runs as a page, as a model of a user's own does."""
+    def is_page(self) -> bool:
+        """True: the model runs as a page."""
         return True
 
     @property
@@ -280,7 +280,7 @@ def load_model(path: str | os.PathLike[str], *, section: str | None = None) -> P
 
 @cache
 def package_model(name: str, section: str) -> PageModel:
-    """A page of the package's library, of which the package has the table, as a model."""
+    """Return the model of a page in the package's library, from the table that was derived with its C."""
     table = json.loads(Path(data.__file__).with_name(f"{name}.json").read_text(encoding="utf-8"))
     number = [of["name"] for of in table["sections"]].index(section)
     return _model(None, table, number, c)

@@ -150,7 +150,7 @@ def known_quantities(runner: Runner) -> tuple[str, ...]:
 def allowed_quantities(model: Model) -> tuple[str, ...]:
     """The quantities that may be prescribed, minimized or maximized; the reduced map has some of them."""
     own = tuple(name for name in model.quantities if name != "liftoff_angle")
-    return own if model.is_own else QUANTITIES
+    return own if model.is_page else QUANTITIES
 
 
 def checked_quantity(name: object, what: str, model: Model) -> str:
@@ -166,7 +166,7 @@ def check_quantities(runner: Runner, names: Sequence[str]) -> None:
         if name not in known:
             whose = (
                 f"model {runner.model.name}"
-                if runner.model.is_own
+                if runner.model.is_page
                 else "reduced map, where the leg in flight is placed as if by itself"
             )
             raise InputError(f"quantity {name} of the {whose}; allowed: {', '.join(known)}")

@@ -46,7 +46,7 @@ def setting_number(name: object, what: str, model: Model = MODELS["full"]) -> in
 
 def check_acts(name: str, runner: Runner, set_too: Sequence[str], what: str) -> None:
     """Refuse a setting that changes nothing in a runner's motion, whatever its value."""
-    if runner.model.is_own:
+    if runner.model.is_page:
         return
     if runner.reduced:
         if name in OF_FLIGHT:

@@ -27,7 +27,7 @@ DRAWN = "body.x", "contact.mode", "hip.phase"
 
 def check_is_drawn(model: Model) -> None:
     """Refuse a model of one's own that has no body, leg and foot."""
-    if model.is_own:
+    if model.is_page:
         missing = [name for name in DRAWN if name not in {of["public"] for of in model.table["outputs"]}]  # type: ignore[attr-defined]
         if missing:
             raise InputError(
@@ -243,7 +243,7 @@ def near_stance(axes: Axes, stride: Stride) -> None:
 
 def of_gait(gait: Gait) -> Figure:
     """The two panels of a gait's stride; of a model of one's own, its outputs and states over time."""
-    if gait.runner.model.is_own:
+    if gait.runner.model.is_page:
         from ..analysis.trajectories import trajectory
         from .overview import of_trajectory  # xarray is slow to load
 

@@ -98,7 +98,7 @@ def start_values_of(runner: object, aliases: Mapping[str, str] = ALIASES) -> Map
 def refuse_own(runner: object, what: str) -> None:
     """Refuse runners of a model of one's own where only the package's own models are known."""
     given = runner, getattr(runner, "model", None), getattr(getattr(runner, "runner", None), "model", None)
-    own = next((one for one in given if getattr(one, "is_own", None)), None)
+    own = next((one for one in given if getattr(one, "is_page", None)), None)
     if own is not None:
         name = getattr(own, "name", own)
         raise InputError(

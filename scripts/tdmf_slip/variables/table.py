@@ -151,8 +151,8 @@ class Model:
         return None
 
     @property
-    def is_own(self) -> bool:
-        """Whether it is a model of a user's own page."""
+    def is_page(self) -> bool:
+        """True if the model runs as a page: one of a user's own, or a page of the package."""
         return False
 
     @property
@@ -163,7 +163,7 @@ class Model:
     @property
     def full(self) -> "Model":
         """The model that has all quantities of a stride: the full one for the reduced map, else this one."""
-        return self if self.is_own else MODELS["full"]
+        return self if self.is_page else MODELS["full"]
 
     @property
     def units(self) -> tuple[str, ...]:

@@ -120,7 +120,7 @@ class Grid:
 def grid_of(runner: Runner, axes: Any, vary: Any, n: Any) -> Grid:
     """Grid from arguments, which are checked here."""
     ranges = mapping_of(axes, "axes", "a mapping of both coordinates to ranges (low, high)")
-    known = runner.coordinates if runner.model.is_own else REDUCED
+    known = runner.coordinates if runner.model.is_page else REDUCED
     check_axes(tuple(ranges), known)
     names = tuple(axis for axis in known if axis in ranges)
     if len(names) != 2:
@@ -187,7 +187,7 @@ def strides_of(
 
 def no_transitions(runner: Runner, grid: Grid, point: NDArray[np.float64]) -> xarray.Dataset:
     """Dataset of a grid before any stride."""
-    shared = dict(zip(runner.coordinates, point.tolist(), strict=True)) if runner.model.is_own else {}
+    shared = dict(zip(runner.coordinates, point.tolist(), strict=True)) if runner.model.is_page else {}
     corners = [f"{axis}_edge" for axis in grid.edges]
     over, shape = (*corners, *grid.actions), (*grid.nodes, *grid.action_shape)
     flags = {

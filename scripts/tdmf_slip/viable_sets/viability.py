@@ -270,7 +270,7 @@ def viability(
     S. Heim and A. Badri-Sproewitz, Beyond Basins of Attraction: Quantifying Robustness of Natural Dynamics,
     IEEE Transactions on Robotics 2019, doi 10.1109/TRO.2019.2910739.
     """
-    runner = Runner(runner, model=None if model_of(runner, None).is_own else model)
+    runner = Runner(runner, model=None if model_of(runner, None).is_page else model)
     refuse_patch(runner)
     factor = checked("factor", factor, 1.0, LARGEST_FACTOR)
     path = None if path is None else check_destination(path, (".nc",), "path")
@@ -341,7 +341,7 @@ def point_of(runner: Runner, axes: Sequence[str], gait: Gait | Apex | None) -> N
     """
     if len(runner.coordinates) == len(axes):
         return np.zeros(len(axes))
-    if runner.model.is_own:
+    if runner.model.is_page:
         apex = periodic_gait(runner) if gait is None else gait
         return np.array(apex.apex if isinstance(apex, Gait) else checked_apex(apex, runner.coordinates))
     state = Runner(runner, model="reduced").state_at([1.0, 0.0])
@@ -355,7 +355,7 @@ def _cells_about(runner: Runner, grid: Grid, gait: Gait | Apex) -> NDArray[np.bo
     apex = gait.apex if isinstance(gait, Gait) else np.atleast_1d(numbers_of("gait", gait, allowed))
     if apex.ndim != 1 or not np.isfinite(apex).all():
         raise refusal("gait", gait, allowed)
-    if runner.model.is_own:
+    if runner.model.is_page:
         point = checked_apex(apex, runner.coordinates)[grid.columns(runner)]
     else:
         point = checked_apex(apex[: len(REDUCED)], REDUCED)
