@@ -239,6 +239,26 @@ class Broken(InTurn):
         return future
 
 
+class FirstFails(InTurn):
+    """An executor whose first call fails when the second one is submitted."""
+
+    first = None
+
+    def submit(self, *given):
+        if self.first is None:
+            self.first = concurrent.futures.Future()
+            return self.first
+        self.first.set_exception(ValueError("the first"))
+        return super().submit(*given)
+
+
+def test_a_result_that_is_ready_behind_a_failure_is_not_lost():
+    results = {}
+    with pytest.raises(ValueError, match="the first"), run_blocks(abs, [-1, -2], FirstFails()) as found:
+        results.update(found)
+    assert results == {1: 2}
+
+
 @pytest.mark.parametrize(("kind", "said"), [(Cancelling, "cancelled a block"), (Broken, "a worker died")])
 def test_an_executor_that_ends_is_said(kind, said):
     with pytest.raises(RunError, match=said), run_blocks(abs, [1], kind()) as found:

@@ -7,6 +7,7 @@ from conftest import CLAMPED
 from tdmf_slip import compare, find_gait, gait_at
 from tdmf_slip.library.fixed_point import gait_near
 from tdmf_slip.library.quantities import QUANTITIES, quantities_of
+from tdmf_slip.paper.matched import match_gaits
 
 HOLD = ("speed", "apex_height", "apex_leg_angle")
 VARY = ("hip.stance_torque", "hip.touchdown_angle", "hip.liftoff_angle_factor")
@@ -30,6 +31,11 @@ def test_the_matched_runners_are_met(runners, found):
     assert quantities_of(other, ["foot_clearance"])["foot_clearance"] == pytest.approx(
         quantities_of(reference, ["foot_clearance"])["foot_clearance"], abs=2e-3
     )
+
+
+def test_a_runner_that_cannot_be_matched_is_left_out():
+    gaits = [find_gait(friction=friction) for friction in (0.43, 10.0, 0.43)]
+    assert [gait.friction for gait in match_gaits(gaits, ["cost_of_transport"], ["hip.kp"])] == [0.43]
 
 
 def test_quantities_that_cannot_be_held_are_reported(command):

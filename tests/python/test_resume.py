@@ -24,17 +24,17 @@ def whole():
 
 @pytest.fixture
 def half(tmp_path, monkeypatch):
-    """A sweep on file that stopped in its second row; and the rows that are searched from then on."""
-    honest, rows = sweep_module.columns_of_row, []
+    """A sweep on file that a fault of the code ended in its second row; and the rows searched since then."""
+    honest, rows = sweep_module._row, []
 
-    def stopping(along, values, runner):
+    def stopping(runner, along, values):
         rows.append(runner[DAMPING])
         if len(rows) == 2:
-            raise KeyboardInterrupt
-        return honest(along, values, runner)
+            raise ValueError("a fault of the code")
+        return honest(runner, along, values)
 
-    monkeypatch.setattr(sweep_module, "columns_of_row", stopping)
-    with pytest.raises(KeyboardInterrupt):
+    monkeypatch.setattr(sweep_module, "_row", stopping)
+    with pytest.raises(ValueError, match="a fault of the code"):
         sweep(None, VARY, path=tmp_path / "sweep.nc", executor=InTurn())
     rows[:] = ["resumed"] * 2
     return tmp_path / "sweep.nc", rows
