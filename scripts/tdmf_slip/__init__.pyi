@@ -24,10 +24,10 @@ from .errors import TdmfSlipError as TdmfSlipError
 from .feedback.controllability import Controllability as Controllability
 from .feedback.controllability import controllability as controllability
 from .feedback.gains import Feedback as Feedback
+from .feedback.gains import apex_covariance as apex_covariance
 from .feedback.gains import dead_beat as dead_beat
 from .feedback.gains import lqr as lqr
 from .feedback.gains import place_poles as place_poles
-from .feedback.judgement import apex_covariance as apex_covariance
 from .fitting.fitted import fit as fit
 from .fitting.result import Fit as Fit
 from .fmu.batch import simulate_many as simulate_many

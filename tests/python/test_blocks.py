@@ -17,13 +17,12 @@ import numpy as np
 import pytest
 import tdmf_slip
 import xarray
-from conftest import HANGS, RELEASE, assert_same, run_python
+from conftest import HANGS, assert_same, run_python
 from tdmf_slip import InputError, RunError
 from tdmf_slip.analysis import attraction, basin, first_passage
 from tdmf_slip.blocks import InTurn, run_blocks
 from tdmf_slip.cli import interrupts
 from tdmf_slip.cli import workers as options
-from tdmf_slip.feedback import judgement
 from tdmf_slip.fmu import batch
 from tdmf_slip.fmu.instance import Experiment, opened
 from tdmf_slip.library.batch import Batch
@@ -33,8 +32,6 @@ from tdmf_slip.viable_sets import grid, viability
 
 FRICTION, DAMPING = "ground.friction", "leg.damping"
 KINDS = ("in turn", "threads", "processes", "dask")
-SLOW = ("judgement", "proof")
-"""Analyses whose blocks keep their sizes."""
 AXES = {"com_height": (1.2, 2.9), "com_speed": (0.9, 1.6)}
 PLACES = {
     "axes": {"com_height": (1.0, 2.0), "com_speed": (0.6, 1.6)},
@@ -76,10 +73,6 @@ def executors(tmp_path_factory):
         yield executor
 
 
-def lqr(gait):
-    return tdmf_slip.lqr(gait, ["hip.touchdown_angle"])
-
-
 ANALYSES = {
     "runs of the unit": lambda _, how: batch.simulate_many(
         [{FRICTION: mu} for mu in (1.2, 0.6, 0.2)], strides=3, **how
@@ -99,8 +92,6 @@ ANALYSES = {
     "viability": lambda _, how: tdmf_slip.viability(None, n=12, **PLACES, **how),
     "proof": lambda _, how: proved(how),
 }
-if RELEASE:
-    ANALYSES["judgement"] = lambda gait, how: judgement.judge_all([(gait, lqr(gait))], roughness=[0.1], **how)
 SIZES = (
     (basin, "STARTS_AT_ONCE", 5),
     (basin, "POINTS_AT_ONCE", 7),
@@ -145,7 +136,7 @@ def test_a_result_does_not_depend_on_the_executor(executors, expected, gait, nam
     assert_same(ANALYSES[name](gait, {"executor": executors(kind)}), expected(name))
 
 
-@pytest.mark.parametrize("name", [name for name in ANALYSES if name not in SLOW])
+@pytest.mark.parametrize("name", [name for name in ANALYSES if name != "proof"])
 def test_a_result_does_not_depend_on_the_size_of_blocks(expected, gait, monkeypatch, name):
     whole = expected(name)
     for module, constant, size in SIZES:

@@ -37,7 +37,7 @@ def test_the_branch_leads_from_the_jump_to_the_static_friction(data, ratio):
     ends = [abs(speed[np.argmin(np.abs(velocity - at))] - static) for at in (1.0, 10.0)]
     assert ends[1] < 0.25 * ends[0]
     assert velocity[0] == 1e-3 and abs(speed[0] - jump) < velocity[0] * np.log(1.0 / velocity[0])
-    row = np.flatnonzero(its["kind"] == "")[90]
+    row = np.flatnonzero(its["special"] == "")[90]
     gait = tdmf_slip.find_gait(runner_of(tdmf_slip.Runner({}), LEVEL, ratio, velocity[row]))
     assert (gait.word, gait.stable) == (its["word"][row], its["stable"][row])
     assert gait.speed == pytest.approx(speed[row], rel=1e-7)
@@ -47,7 +47,7 @@ def test_downhill_the_branch_turns_where_the_foot_begins_to_rest(data):
     """Stable gaits end at the least velocity. Unstable ones, whose foot never rests, begin there."""
     for ratio in RATIOS[DOWNHILL]:
         its = branch_of(data, DOWNHILL, ratio)
-        (fold,) = np.flatnonzero(its["kind"] == "fold")
+        (fold,) = np.flatnonzero(its["special"] == "fold")
         velocity = its["stribeck_velocity"]
         assert velocity[fold] == pytest.approx(velocity.min(), rel=1e-9)
         below, beyond = np.arange(fold), np.arange(fold + 1, len(velocity))

@@ -3,10 +3,9 @@
 import numpy as np
 import pytest
 from conftest import CLAMPED
-from tdmf_slip import Batch, Runner, find_gait
+from tdmf_slip import Batch, Runner, continue_branch, gait_at
 from tdmf_slip.analysis.special_points import PERIOD_DOUBLING
-from tdmf_slip.paper.along import followed, met
-from tdmf_slip.paper.figures.data import leading
+from tdmf_slip.paper.along import gait_table
 
 RATE = "hip.retraction_rate"
 
@@ -15,7 +14,7 @@ RATE = "hip.retraction_rate"
 def branch():
     """Branch with the clamp, where gaits of two strides last; without it they are soon lost."""
     runner = Runner({"ground.friction": 0.2, **CLAMPED})
-    return followed(find_gait(runner), RATE, 0.0, 0.01)
+    return continue_branch(runner, {RATE: (0.0, 0.01)}, switch=False)
 
 
 def heights(runner, apex):
@@ -29,8 +28,8 @@ def heights(runner, apex):
 
 
 def test_beyond_the_period_doubling_strides_alternate(branch):
-    (doubling,) = (row.value for row in branch if row.kind == PERIOD_DOUBLING)
-    gait = branch[0].gait
+    (doubling,) = branch[RATE].values[branch["special"] == PERIOD_DOUBLING]
+    gait = gait_at(branch.isel(point=0))
     once = heights(gait.runner.replace({RATE: 0.9 * doubling}), gait.apex)
     twice = heights(gait.runner.replace({RATE: 1.2 * doubling}), gait.apex)
     np.testing.assert_allclose(once, once[0], rtol=1e-7)
@@ -39,7 +38,10 @@ def test_beyond_the_period_doubling_strides_alternate(branch):
 
 
 def test_leading_eigenvalues_keep_their_signs(branch):
-    greater, other = np.array([leading(row.gait) for row in met(branch)]).T
+    rows = gait_table(branch)
+    greater, other = (
+        rows.loc[rows["special"] == "", f"{of}_eigenvalue"].values for of in ("greater", "other")
+    )
     assert (greater > 0.9).all()
     assert (np.diff(other) < 0.0).all()
     assert other[-1] < -1.0 < other[0]

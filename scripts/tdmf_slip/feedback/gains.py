@@ -5,6 +5,13 @@ Each feedback is an affine law from the apex to the settings of the next stride,
 The dead-beat gain takes modes to 0 in the fewest steps. Modes from which 0 is reached in j steps form a
 subspace S_j: S_0 = {0}, and z is in S_j if F z + G u is in S_(j-1) for some u. The gain maps each S_j into
 S_(j-1), with the least settings that do.
+
+Noisy sensors and rough ground lead a runner away from its gait, here to first order. At each apex the law
+measures x + v, with noise v of covariance N. The ground then steps by s, of standard deviation r. The
+deviation of the next apex is x' = A (x - e s) + B G (x + v), with the unit vector e of the height. In the
+long run its covariance P solves the discrete Lyapunov equation
+
+    P = (A + B G) P (A + B G)' + B G N G' B' + r^2 A e e' A'.
 """
 
 from __future__ import annotations
@@ -16,10 +23,11 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..checks import check_names, number_of, refusal
+from ..checks import check_kind, check_names, checked, number_of, refusal
 from ..errors import InputError
 from ..given import ends_given, numbers_of, row_of
 from ..library.gait import Gait
+from ..library.ground import LARGEST
 from ..library.laws import AffineLaw
 from ..record import entries
 from ..variables.table import FRICTION, MODELS, by_full_name
@@ -394,3 +402,68 @@ def _weight(name: str, given: ArrayLike, count: int, minimum: float) -> NDArray[
     if not sound or np.linalg.eigvalsh(weight)[0] < minimum - (rounding if minimum == 0.0 else 0.0):
         raise refusal(name, given, allowed)
     return weight
+
+
+HEIGHT = "com_height"
+"""Coordinate of the section that a step of the ground changes."""
+
+
+def apex_covariance(feedback: Feedback, roughness: float = 0.0) -> NDArray[np.float64]:
+    """Covariance of a runner's apices about that of its gait, in the long run and to first order.
+
+    Parameters
+    ----------
+    feedback : Feedback
+        Feedback with the noise of its sensors, `noise`. Its limits are ignored.
+    roughness : float, default 0
+        Standard deviation of the steps of the ground, m.
+
+    Returns
+    -------
+    ndarray of float, shape (n, n)
+        Covariance in the units of the section, of apices above the ground before it steps.
+
+    Raises
+    ------
+    InputError
+        No feedback, a feedback under which the gait is unstable, a roughness out of range, or a roughness
+        for a section without `com_height`.
+
+    Examples
+    --------
+    Sensors have an error of a thousandth of the section's scales. The standard deviation of the height is
+    then
+
+    >>> from dataclasses import replace
+    >>> import tdmf_slip
+    >>> gait = tdmf_slip.find_gait({"ground.friction": 0.6})
+    >>> law = tdmf_slip.lqr(gait, ["hip.touchdown_angle", "hip.stance_torque"])
+    >>> noisy = replace(law, noise=1e-3 * gait.runner.scales)
+    >>> covariance = tdmf_slip.apex_covariance(noisy)
+    >>> print(covariance.shape, f"{covariance[0, 0] ** 0.5:.2e} m")
+    (6, 6) 1.18e-03 m
+    """
+    from scipy.linalg import solve_discrete_lyapunov  # slow to load
+
+    check_kind(feedback, Feedback, "feedback", "a Feedback, as dead_beat, lqr and place_poles give")
+    roughness = checked("roughness", roughness, 0.0, LARGEST)
+    if feedback.lambda_max >= 1.0:
+        raise InputError(
+            f"feedback whose closed loop has an eigenvalue of size {feedback.lambda_max:.6g} is not allowed: "
+            "the runner strays without end; allowed: below 1"
+        )
+    model = feedback.linearization
+    scales, coordinates = model.scales, model.gait.runner.coordinates
+    if roughness and HEIGHT not in coordinates:
+        raise InputError(
+            f"roughness = {roughness:g} is not allowed; allowed: 0 for a section without {HEIGHT}, "
+            f"whose coordinates are {', '.join(coordinates)}"
+        )
+    by_noise = model.input_matrix @ model.over_scales(feedback.gain) * np.asarray(feedback.noise) / scales
+    driven = by_noise @ by_noise.T
+    if roughness:
+        height = coordinates.index(HEIGHT)
+        by_step = roughness * model.state_matrix[:, height] / scales[height]
+        driven += np.outer(by_step, by_step)
+    spread: NDArray[np.float64] = solve_discrete_lyapunov(feedback.closed_loop, driven)
+    return spread * np.outer(scales, scales)

@@ -1,46 +1,48 @@
-"""Gaits along a parameter, for figures and statements."""
+"""Gaits along a parameter as tables, for figures and statements."""
 
 from collections.abc import Sequence
 from itertools import pairwise
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
+import pandas
 
-from ..analysis.branches import continue_branch
-from ..analysis.sweeps import Sweep, gaits_in
-from ..library.gait import Gait
+from ..analysis.sweeps import Sweep
+from ..library.gait import Gait, gaits_dataset
+from ..record import runner_in
 from ..variables.table import FRICTION
 
-
-class Row(NamedTuple):
-    """A point of a branch."""
-
-    value: float
-    """Value of the parameter."""
-    kind: str
-    """Kind of special point; empty for a gait that was met."""
-    gait: Gait
-    """Gait at the value."""
+if TYPE_CHECKING:
+    import xarray
 
 
-def followed(
-    first: Gait, name: str, begin: float, end: float, *, to_turn: bool = False, **limits: Any
-) -> list[Row]:
-    """Gaits and special points of a gait's branch, from one end of a range of a parameter to the other.
+def gait_table(gaits: "xarray.Dataset | Sequence[Gait]", *names: str) -> pandas.DataFrame:
+    """A row for each gait of a dataset, with all that the dataset has over its gaits.
 
-    With `to_turn` only those up to the greatest value, where the branch first turns back.
+    Besides, a row has the values of the parameters in `names`, also of those that do not vary, `stable`, and
+    the real parts of the two leading eigenvalues, which keep their signs along a branch. Columns of
+    parameters are named without the part before the dot.
     """
-    branch = continue_branch(first, {name: (begin, end)}, switch=False, **limits)
-    turns = np.flatnonzero(np.diff(branch[name].values) < 0.0)
-    if to_turn and len(turns):
-        branch = branch.isel(point=slice(turns[0] + 1))
-    columns = branch[name].values.tolist(), branch["special"].values, gaits_in(branch)
-    return [Row(*row) for row in zip(*columns, strict=True)]
+    if isinstance(gaits, Sequence):
+        gaits = gaits_dataset("gaits", gaits, {"gait": np.arange(len(gaits), dtype=float)}, varied=names)
+    over, values = gaits["word"].dims, runner_in(gaits)
+    columns = [name for name, of in gaits.variables.items() if of.dims == over]
+    other, greater = np.sort(gaits["eigenvalue_real"].values[:, :2]).T
+    data = gaits[columns].to_dataframe().reset_index()
+    data = data.assign(
+        **{name: values[name] for name in names if name not in data},
+        stable=data["lambda_max"] < 1.0,
+        greater_eigenvalue=greater,
+        other_eigenvalue=other,
+    )
+    found = data[data["word"] != ""].reset_index(drop=True)
+    return found.rename(columns=lambda name: name.rpartition(".")[2])
 
 
-def met(rows: Sequence[Row]) -> list[Row]:
-    """Rows of gaits that were met, without special points."""
-    return [row for row in rows if not row.kind]
+def up_to_turn(branch: "xarray.Dataset") -> "xarray.Dataset":
+    """A branch up to the greatest value of its parameter, where it first turns back."""
+    turns = np.flatnonzero(np.diff(branch[branch.over].values) < 0.0)
+    return branch.isel(point=slice(turns[0] + 1)) if len(turns) else branch
 
 
 def words_over(found: Sweep) -> list[tuple[str, float, float]]:

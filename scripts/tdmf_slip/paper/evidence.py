@@ -18,6 +18,7 @@ from ..library.gait import Gait
 from ..library.runner import Runner
 from ..library.section import COORDINATES
 from ..variables.table import FRICTION, STATES
+from .along import gait_table
 from .claims import WORDS
 
 SWEPT = np.geomspace(10.0, 0.05, 200)
@@ -54,8 +55,7 @@ class Evidence:
     @cached_property
     def gaits(self) -> pandas.DataFrame:
         """Friction, word, largest eigenvalue and quantities of the stride of each gait of the sweep."""
-        found = self.sweep.gaits.drop_dims("mode").to_dataframe().reset_index(names="friction")
-        return found[found["word"] != ""].reset_index(drop=True)
+        return gait_table(self.sweep.gaits)
 
     @property
     def moduli(self) -> NDArray[np.float64]:

@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from ..analysis.targeted import find_gait
 from ..errors import RunError
 from ..library.batch import Batch
-from ..library.engine import SETTLED, UNDECIDED
+from ..library.batch_tables import CLOSED
 from ..library.fixed_point import gait_near
 from ..library.gait import Gait
 from ..library.runner import Runner
@@ -32,8 +32,7 @@ if TYPE_CHECKING:
 
 AFTER = 30
 """Strides after the patch: a runner that has made them is up."""
-UP = (SETTLED, UNDECIDED)
-"""Fates of runners that are up: one that has made its strides without a gait to settle on is undecided."""
+ANGLE = "hip.touchdown_angle"
 STEEPEST = math.pi / 2.0
 """Bound of the angle at which a leg may be placed, rad from the vertical."""
 
@@ -52,9 +51,7 @@ def landing_at(gait: Gait, contact_angle: float) -> Runner | None:
     if drop <= 0.0:
         return None
     touchdown_angle = at + values["hip.retraction_rate"] * math.sqrt(2.0 * drop / values["gravity"])
-    return (
-        gait.runner.replace({"hip.touchdown_angle": touchdown_angle}) if touchdown_angle < STEEPEST else None
-    )
+    return gait.runner.replace({ANGLE: touchdown_angle}) if touchdown_angle < STEEPEST else None
 
 
 def meet_patch(
@@ -68,8 +65,6 @@ def meet_patch(
     """
     import xarray  # slow to load
 
-    fell = np.full((len(frictions), len(gaits), len(contact_angles)), np.nan)
-    slips = fell.copy()
     landings = {
         (number, row, column): runner.replace({FRICTION: friction})
         for number, friction in enumerate(frictions)
@@ -77,33 +72,24 @@ def meet_patch(
         for column, angle in enumerate(contact_angles)
         if (runner := landing_at(gait, angle)) is not None
     }
-    cells, apices = list(landings), [gaits[row].apex for _, row, _ in landings]
-    first = Batch(list(landings.values()), np.array(apices)).stride()
-    for cell, slip in zip(cells, first["slip_distance"], strict=True):
-        slips[cell], fell[cell] = slip, 1.0
-    up, apices = _followed(cells, list(landings.values()), apices, 1)
-    after = [gaits[row].runner for _, row, _ in up]
-    for cell in _followed(up, after, apices, AFTER, [[gaits[row].apex] for _, row, _ in up])[0]:
-        fell[cell] = 0.0
+    cells, before = tuple(np.transpose([*landings])), [gaits[row] for _, row, _ in landings]
+    inputs = {
+        name: [
+            [patch[name], *[gait.runner[name]] * AFTER]
+            for patch, gait in zip(landings.values(), before, strict=True)
+        ]
+        for name in (FRICTION, ANGLE)
+    }
+    batch = Batch([gait.runner for gait in before], [gait.apex for gait in before], inputs=inputs)
+    made = batch.run(1 + AFTER, record=True).recorded
+    assert made is not None
+    fell = np.full((len(frictions), len(gaits), len(contact_angles)), np.nan)
+    slips = fell.copy()
+    fell[cells], slips[cells] = made["fate"][:, -1] != CLOSED, made["slip_distance"][:, 0]
     over = ("friction", "speed", "contact_angle")
     axes = dict(zip(over, (frictions, [gait.stride["speed"] for gait in gaits], contact_angles), strict=True))
     own = "speed", [contact_angle_of(gait) for gait in gaits]
     return xarray.Dataset({"fell": (over, fell), "slip_distance": (over, slips), "own_angle": own}, axes)
-
-
-def _followed(
-    cells: Sequence[tuple[int, int, int]],
-    runners: Sequence[Runner],
-    apices: Sequence[NDArray[np.float64]],
-    strides: int,
-    until: Sequence[Sequence[NDArray[np.float64]]] | None = None,
-) -> tuple[list[tuple[int, int, int]], list[NDArray[np.float64]]]:
-    """Cells whose runners are up after some strides, and their apices then."""
-    if not cells:
-        return [], []
-    run = Batch(runners, np.array(apices)).run(strides, until)
-    kept = np.flatnonzero(np.isin(run.fate, UP)).tolist()
-    return [cells[k] for k in kept], list(run.apex[kept])
 
 
 FRICTIONS = (0.05, 0.1, 0.2)

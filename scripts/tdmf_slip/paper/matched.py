@@ -1,14 +1,20 @@
 """Controls of the figures: runners with the speed, apex height and leg angle of another."""
 
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
+import numpy as np
+
+from ..analysis.along import gaits_over
 from ..analysis.comparison import compare
 from ..analysis.first_passage import strides_to_fall
 from ..analysis.sweeps import gaits_in
 from ..errors import GaitNotFoundError, RunError
-from ..library.fixed_point import gait_near
 from ..library.gait import Gait
 from ..library.runner import Runner
+
+if TYPE_CHECKING:
+    import xarray
 
 HOLD = ("speed", "apex_height", "apex_leg_angle")
 """Quantities to match. They also make the foot equally high at the apex."""
@@ -17,7 +23,7 @@ VARY = ("hip.stance_torque", "hip.touchdown_angle", "hip.liftoff_angle_factor")
 
 def match_gait(reference: Gait, gait: Gait, hold: Sequence[str] = HOLD, vary: Sequence[str] = VARY) -> Gait:
     """The gait of a runner matched to a reference in some quantities; RunError if they cannot be matched."""
-    found = match_gaits([reference, gait], hold, vary)
+    found = gaits_in(match_gaits([reference, gait], hold, vary))
     if not found:
         raise RunError("no matched runner")
     return found[0]
@@ -25,23 +31,18 @@ def match_gait(reference: Gait, gait: Gait, hold: Sequence[str] = HOLD, vary: Se
 
 def match_gaits(
     runners: Sequence[Runner | Gait], hold: Sequence[str] = HOLD, vary: Sequence[str] = VARY
-) -> list[Gait]:
+) -> "xarray.Dataset":
     """Gaits of all runners but the first, matched to its gait; those that cannot be are left out."""
-    found = compare(runners, hold=hold, vary=vary)
-    gaits, held = gaits_in(found.sel(step="after")), found["held"].values
-    return [gait for gait, of in zip(gaits[1:], held[1:], strict=True) if of.all()]
+    found = compare(runners, hold=hold, vary=vary).sel(step="after")
+    return found.isel(runner=np.flatnonzero(found["held"].values.all(axis=1))[1:])
 
 
-def gait_with(gait: Gait, name: str, value: float, steps: int = 1) -> Gait:
-    """The gait near another with one value changed, approached in steps."""
-    begin = gait.runner[name]
-    for step in range(1, steps + 1):
-        runner = gait.runner.replace({name: begin + (value - begin) * step / steps})
-        try:
-            gait = gait_near(runner, gait.apex)
-        except RunError:
-            raise GaitNotFoundError(f"{name} = {value:g}") from None
-    return gait
+def gait_with(gait: Gait, name: str, value: float) -> Gait:
+    """The gait with one value changed, to which the branch from another gait leads."""
+    try:
+        return next(gaits_over(gait.runner, name, [value], gait))
+    except RunError:
+        raise GaitNotFoundError(f"{name} = {value:g}") from None
 
 
 AFTER = 60

@@ -8,15 +8,16 @@ import pandas
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from ...analysis.along import gaits_over
+from ...analysis.branches import continue_branch
 from ...analysis.search import periodic_gait
 from ...analysis.special_points import FOLD, WORD_BORDER
 from ...library.runner import Runner
 from ...pictures import style
 from ...pictures.style import CurveLabel
 from ...variables.table import FRICTION
-from ..along import Row, followed
-from .data import Results, table_by
+from ..along import gait_table
+from ..matched import gait_with
+from .data import Results
 
 SLOPE, RATIO, VELOCITY = "ground.slope", "ground.static_friction_ratio", "ground.stribeck_velocity"
 LEVEL, DOWNHILL = 0.0, -3.0
@@ -36,6 +37,11 @@ DRAWN = {
     "cost_of_transport": "cost of transport",
     "lambda_max": "modulus of the largest eigenvalue",
 }
+COLUMNS = (
+    *("slope_degrees", "static_friction_ratio", "stribeck_velocity", "special", "word", "stable"),
+    *DRAWN,
+)
+"""Columns of the data."""
 SHOWN = 2.0
 """Largest speed that is drawn; gaits whose foot never sticks go on beyond it."""
 SHORT_RUN = 0.4
@@ -48,32 +54,39 @@ def runner_of(runner: Runner, slope: float, ratio: float, velocity: float) -> Ru
     return runner.replace({**ground, RATIO: ratio, VELOCITY: velocity})
 
 
-def level(runner: Runner, ratio: float) -> list[Row]:
-    """Rows along the branch on level ground, decade by decade."""
-    rows: list[Row] = []
-    for begin, end in pairwise(DECADES):
-        its = runner_of(runner, LEVEL, ratio, begin)
-        rows += followed(periodic_gait(its), VELOCITY, begin, end)
-    return rows
+def level(runner: Runner, ratio: float) -> pandas.DataFrame:
+    """Gaits and special points of the branch on level ground, decade by decade."""
+    return pandas.concat(
+        gait_table(
+            continue_branch(runner_of(runner, LEVEL, ratio, begin), {VELOCITY: (begin, end)}, switch=False)
+        )
+        for begin, end in pairwise(DECADES)
+    )
 
 
-def downhill(runner: Runner, ratio: float) -> list[Row]:
-    """Rows along the branch downhill, through its fold to gaits whose foot never sticks."""
-    its = runner_of(runner, DOWNHILL, RATIOS[DOWNHILL][0], BEGIN)
-    first = periodic_gait(its)
-    if ratio != RATIOS[DOWNHILL][0]:
-        first = next(gaits_over(its, RATIO, [ratio], first))
+def downhill(runner: Runner, ratio: float) -> pandas.DataFrame:
+    """Gaits and special points of the branch downhill, through its fold to gaits whose foot never sticks."""
+    first = periodic_gait(runner_of(runner, DOWNHILL, RATIOS[DOWNHILL][0], BEGIN))
     low, high = RANGE
-    return followed(first, VELOCITY, high, low, max_points=POINTS)
+    return gait_table(
+        continue_branch(
+            gait_with(first, RATIO, ratio), {VELOCITY: (high, low)}, max_points=POINTS, switch=False
+        )
+    )
 
 
 def table(results: Results) -> pandas.DataFrame:
     """Data of all branches; takes some minutes."""
-    found = {(LEVEL, ratio): level(results.runner, ratio) for ratio in RATIOS[LEVEL]}
-    found |= {(DOWNHILL, ratio): downhill(results.runner, ratio) for ratio in RATIOS[DOWNHILL]}
-    rows = [(slope, ratio, *row) for (slope, ratio), branch in found.items() for row in branch]
-    names = ["slope_degrees", "static_friction_ratio", "stribeck_velocity", "kind"]
-    return table_by(names, rows, "word", "stable", "speed", "cost_of_transport", "lambda_max")
+    found = {
+        (slope, ratio): find
+        for find, slope in ((level, LEVEL), (downhill, DOWNHILL))
+        for ratio in RATIOS[slope]
+    }
+    tables = [
+        find(results.runner, ratio).assign(slope_degrees=slope, static_friction_ratio=ratio)
+        for (slope, ratio), find in found.items()
+    ]
+    return pandas.concat(tables, ignore_index=True)[[*COLUMNS]]
 
 
 def branch_of(data: pandas.DataFrame, slope: float, ratio: float) -> pandas.DataFrame:
@@ -113,7 +126,7 @@ def _curve(axes: Axes, its: pandas.DataFrame, name: str, colour: str) -> None:
     velocities, heights = its["stribeck_velocity"], its[name]
     style.stable_curve(axes, velocities, heights, its["stable"], colour)
     for kind, marker in MARKS.items():
-        here = its["kind"] == kind
+        here = its["special"] == kind
         axes.plot(velocities[here], heights[here], marker, color=colour, markersize=6, zorder=4)
 
 

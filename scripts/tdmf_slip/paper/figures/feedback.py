@@ -8,29 +8,22 @@ import pandas
 from matplotlib.figure import Figure
 
 from ...analysis.attraction import FARTHEST
-from ...feedback.gains import Feedback, dead_beat, lqr
-from ...feedback.judgement import RUNNERS, Judgement, judge_all
+from ...analysis.sweeps import gaits_in
+from ...feedback.gains import Feedback
 from ...library.gait import Gait
 from ...pictures import style
 from ...pictures.style import CurveLabel
 from ..matched import match_gaits
-from .attraction import JUDGED
-from .data import Results, table_by, table_of
+from ..statements.claim import ANGLE
+from ..statements.regions import NOISE, dead_beat_law, regulator
+from .attraction import judged
+from .data import Results, table_of
 from .over_friction import draw_means, friction_axis
-from .rough import COUNTED, means
+from .rough import SEED, passages
 
 FRICTIONS = (0.1, 0.2, 0.6, 1.0, 10.0)
-ANGLE, TORQUE = "hip.touchdown_angle", "hip.stance_torque"
-REACH = {ANGLE: 0.1, TORQUE: 0.1}
-"""Largest change of each setting to either side, rad and k l0^2."""
-NOISE = 0.01
-"""Standard deviation of the sensor noise, relative to the scales of the section."""
 ROUGHNESS = (0.3, 0.5)
 """Standard deviations of the steps, l0."""
-SEED = 20261122
-LEFT_ALONE = 0.05
-"""Modulus of eigenvalues that dead-beat laws leave alone."""
-
 NONE, MATCHED = "no feedback", "no feedback, gait matched to friction 0.2"
 REFERENCE = 0.2
 """Friction of the gait to which runners are matched."""
@@ -51,12 +44,10 @@ MAX_SHOWN = 5e4
 
 def laws(gait: Gait) -> dict[str, Feedback]:
     """Feedback laws for a gait by name."""
-    reach = {name: (gait.runner[name] - REACH[name], gait.runner[name] + REACH[name]) for name in REACH}
-    alone, both = (ANGLE,), (ANGLE, TORQUE)
     return {
-        "quadratic regulator: touchdown angle": lqr(gait, alone, limits={ANGLE: reach[ANGLE]}),
-        "quadratic regulator: angle and torque": lqr(gait, both, limits=reach),
-        "dead-beat: angle and torque": dead_beat(gait, both, limits=reach, negligible=LEFT_ALONE),
+        "quadratic regulator: touchdown angle": regulator(gait, (ANGLE,)),
+        "quadratic regulator: angle and torque": regulator(gait),
+        "dead-beat: angle and torque": dead_beat_law(gait),
     }
 
 
@@ -65,23 +56,25 @@ def table(results: Results) -> pandas.DataFrame:
     gaits = [results.gait(friction) for friction in FRICTIONS]
     noise = (NOISE * results.runner.scales).tolist()
     trials: list[tuple[str, Gait, Feedback | None]] = [(NONE, gait, None) for gait in gaits]
-    trials += [(MATCHED, gait, None) for gait in match_gaits([results.gait(REFERENCE), *gaits])]
+    trials += [(MATCHED, gait, None) for gait in gaits_in(match_gaits([results.gait(REFERENCE), *gaits]))]
     designed = [(name, gait, law) for gait in gaits for name, law in laws(gait).items()]
     designed.sort(key=lambda one: list(COLOURS).index(one[0]))
     trials += [(name, gait, replace(law, noise=noise, seed=SEED)) for name, gait, law in designed]
-    found = judge_all([(gait, law) for _, gait, law in trials], roughness=ROUGHNESS, seed=SEED, progress=True)
-    begun = table_by(["law"], [(name, gait) for name, gait, _ in trials], "friction", "word")
-    judged = table_of(found, lambda_max=_lambda_max, **JUDGED, runners=lambda _: RUNNERS)
-    counted = []
-    for number, roughness in enumerate(ROUGHNESS):
-        passages = [one.first_passages[number] for one in found]
-        of_ground = means(passages, f"mean_strides_{roughness:g}", *COUNTED)
-        counted.append(of_ground.rename(columns={name: f"{name}_{roughness:g}" for name in COUNTED}))
-    return begun.join([judged, *counted])
-
-
-def _lambda_max(one: Judgement) -> float:
-    return one.law.lambda_max if isinstance(one.law, Feedback) else one.gait.lambda_max
+    data = table_of(
+        trials,
+        law=lambda trial: trial[0],
+        friction=lambda trial: trial[1].friction,
+        word=lambda trial: trial[1].word,
+        lambda_max=lambda trial: (trial[2] or trial[1]).lambda_max,
+    )
+    tried = [(gait, law) for _, gait, law in trials]
+    grounds = [
+        passages([(gait, law, roughness) for gait, law in tried])
+        .drop(columns=["roughness", "word"])
+        .add_suffix(f"_{roughness:g}")
+        for roughness in ROUGHNESS
+    ]
+    return data.join([judged(tried, SEED), *grounds])
 
 
 def draw(results: Results) -> Figure:
@@ -92,7 +85,8 @@ def draw(results: Results) -> Figure:
     for number, (name, colour) in enumerate(SHOWN.items()):
         its = data[data["law"] == name].copy()
         its["friction"] *= BESIDE ** (number - 0.5 * (len(SHOWN) - 1))
-        draw_means(strides, its, "mean_strides_0.3", colour, label=name)
+        low_steps = its.rename(columns=lambda column: column.removesuffix("_0.3"))
+        draw_means(strides, low_steps, "mean_strides", colour, label=name)
         for axes, disturbance in ((step, "step_up"), (push, "push_forward")):
             reach = its[disturbance].clip(upper=FARTHEST)
             axes.plot(its["friction"], reach, "o-", color=colour, markersize=4, linewidth=1.0)

@@ -5,7 +5,8 @@ cheapest one could be avoided. At high friction many runners do not slip at all.
 one of them, so the figure shows only its slip.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
+from contextlib import suppress
 from typing import Any
 
 import numpy as np
@@ -13,30 +14,21 @@ import pandas
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from ...analysis.search import periodic_gait
 from ...errors import RunError
-from ...library.fixed_point import gait_near
-from ...library.gait import Gait
 from ...library.runner import Runner
-from ...optimization.gaits import Space
-from ...optimization.optimizer import Optimizer
+from ...optimization.optimize import optimize
 from ...optimization.optimum import Optimum
-from ...optimization.problem import Goal
 from ...pictures import style
 from ...terminal.progress import progress_bar
 from ...variables.table import FRICTION
-from .data import Results, table_of
+from ..along import gait_table
+from ..statements.claim import ANGLE, THRUST, TORQUE
+from ..statements.gaits import BOUNDS, RADIUS, SPEED
+from .data import Results
 from .over_friction import friction_axis
 
 FRICTIONS = np.geomspace(10.0, 0.05, 16)[:12]
 """Frictions from high to low; below the last one the search ends in worse optima."""
-SPEED = 0.8
-"""Speed, l0 sqrt(k/m)."""
-RADIUS = 0.95
-"""Largest spectral radius: a disturbance is halved within 14 strides."""
-ANGLE, TORQUE, THRUST = "hip.touchdown_angle", "hip.stance_torque", "leg.thrust"
-BOUNDS = {ANGLE: (0.3, 1.1), TORQUE: (0.0, 0.6), THRUST: (0.0, 0.4)}
-"""Bounds, rad, k l0^2 and l0."""
 CHEAPEST, MIN_SLIP = "cost_of_transport", "slip_distance"
 COLOURS = {CHEAPEST: "#e07b00", MIN_SLIP: "#1f5fa8"}
 MARGIN = 1.1
@@ -46,6 +38,13 @@ NO_SLIP = 1e-8
 COSTS = (0.2, 0.8)
 """Range of costs on the axis."""
 NAMES = {CHEAPEST: "cheapest runner", MIN_SLIP: "runner with least slip"}
+
+
+COLUMNS = (
+    *("friction", "cheapest", "touchdown_angle", "stance_torque", "thrust", "word", "speed", CHEAPEST),
+    *("positive_cost_of_transport", MIN_SLIP, "length", "lambda_max", "shown"),
+)
+"""Columns of the data."""
 
 
 def table(results: Results) -> pandas.DataFrame:
@@ -60,39 +59,22 @@ def table(results: Results) -> pandas.DataFrame:
             min_slipping = best(its, MIN_SLIP, [*min_slipping, *cheapest])
             found += [*cheapest, *min_slipping]
             bar.update()
-    columns = "word", "speed", CHEAPEST, "positive_cost_of_transport", MIN_SLIP, "length", "lambda_max"
-    return table_of(
-        found,
-        friction="gait.friction",
-        cheapest=lambda optimum: optimum.objective == CHEAPEST,
-        touchdown_angle=lambda optimum: optimum.parameters[ANGLE],
-        stance_torque=lambda optimum: optimum.parameters[TORQUE],
-        thrust=lambda optimum: optimum.parameters[THRUST],
-        **{name: f"gait.{name}" for name in columns},
-        shown=lambda optimum: not optimum.why,
-    )
+    data = gait_table([one.gait for one in found], FRICTION, ANGLE, TORQUE, THRUST)
+    data["cheapest"] = [one.objective == CHEAPEST for one in found]
+    data["shown"] = [not one.why for one in found]
+    return data[[*COLUMNS]]
 
 
 def best(runner: Runner, objective: str, near: Sequence[Optimum], *, begin: bool = False) -> list[Optimum]:
     """Optimal runner at one friction, searched from optima at neighbouring frictions."""
-    goal = Goal(objective, at={"speed": SPEED}, radius=RADIUS)
-    try:
-        optimizer = Optimizer(periodic_gait(runner), Space(BOUNDS), 1)
-        starts = list(_starts(optimizer.space, runner, near))
-        starts += [optimizer.first] if begin or not starts else []
-        with progress_bar("", len(starts), "", show=False) as bar:
-            return [optimizer.best(goal, bar, starts)]
-    except RunError:
-        return []
-
-
-def _starts(space: Space, runner: Runner, near: Sequence[Optimum]) -> Iterator[Gait]:
-    for optimum in near:
-        at = space.coordinates_of(optimum.gait.runner)
-        try:
-            yield gait_near(space.runner_at(runner, at), optimum.gait.apex)
-        except RunError:
-            continue
+    starts = [runner.replace(optimum.parameters) for optimum in near]
+    found = []
+    for start in [*starts, *([runner] if begin or not starts else [])]:
+        with suppress(RunError):
+            found.append(
+                optimize(start, BOUNDS, minimize=objective, target={"speed": SPEED}, stable=RADIUS, starts=1)
+            )
+    return [min(found, key=lambda one: (one.why != "", one.value))] if found else []
 
 
 def draw(results: Results) -> Figure:

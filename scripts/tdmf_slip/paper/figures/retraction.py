@@ -2,20 +2,25 @@
 
 from collections.abc import Mapping
 from contextlib import suppress
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import pandas
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from ...analysis.branches import continue_branch
 from ...analysis.special_points import FOLD, PERIOD_DOUBLING
 from ...errors import RunError
 from ...library.gait import Gait
 from ...pictures import style
-from ..along import Row, followed
+from ...variables.table import FRICTION
+from ..along import gait_table
 from ..matched import gait_with, match_gait
-from .data import LEADING, Results, table_by
+from .data import Results
+
+if TYPE_CHECKING:
+    import xarray
 
 RATE = "hip.retraction_rate"
 FRICTIONS = (0.2, 0.6, 10.0)
@@ -32,39 +37,41 @@ CURVES: Mapping[str, tuple[str, str]] = {
     "other_eigenvalue": (style.SECOND_CURVE, "second eigenvalue, of height"),
 }
 """Colour and name of each curve by column."""
+COLUMNS = (
+    *("friction", "matched", "retraction_rate", "special", "word", "stable", "speed", "cost_of_transport"),
+    *CURVES,
+)
+"""Columns of the data."""
 MARKS: Mapping[str, tuple[str, float]] = {FOLD: ("o", 1.0), PERIOD_DOUBLING: ("s", -1.0)}
 """Marker of each kind of special point, and the eigenvalue there."""
 
 
-def along(first: Gait) -> list[Row]:
-    """Gaits and special points of the branch from its fold to the largest rate."""
-    back, forth = (
-        followed(first, RATE, first.runner[RATE], end, max_step=LARGEST_STEP, max_points=POINTS)
-        for end in (2.0 * SHOWN[0], SHOWN[1])
+def along(first: Gait) -> "xarray.Dataset":
+    """The branch from its fold to the largest rate."""
+    range_of_rates = 2.0 * SHOWN[0], SHOWN[1]
+    return continue_branch(
+        first, {RATE: range_of_rates}, max_step=LARGEST_STEP, max_points=POINTS, switch=False
     )
-    return [*back[:0:-1], *forth]
 
 
-def matched(reference: Gait) -> list[Row]:
+def matched(reference: Gait) -> list[Gait]:
     """Gaits with retraction that are matched to the one without."""
-    one, found = reference, []
+    one, found = reference, list[Gait]()
     for rate in RATES:
         with suppress(RunError):
-            one = match_gait(reference, gait_with(one, RATE, rate, 2))
-            found.append(Row(rate, "", one))
+            one = match_gait(reference, gait_with(one, RATE, rate))
+            found.append(one)
     return found
 
 
 def table(results: Results) -> pandas.DataFrame:
-    """Each branch from its fold to its largest rate, then matched runners; special points have a `kind`."""
-    rows = [
-        (friction, is_matched, *point)
-        for is_matched, find in ((False, along), (True, matched))
+    """Each branch from its fold to its largest rate, then matched runners, with their special points."""
+    tables = [
+        gait_table(find(results.gait(friction)), FRICTION, RATE).assign(matched=find is matched)
+        for find in (along, matched)
         for friction in FRICTIONS
-        for point in find(results.gait(friction))
     ]
-    names = ["friction", "matched", "retraction_rate", "kind"]
-    return table_by(names, rows, "word", "stable", "speed", "cost_of_transport", **LEADING)
+    return pandas.concat(tables, ignore_index=True).fillna({"special": ""})[[*COLUMNS]]
 
 
 def draw(results: Results) -> Figure:
@@ -87,12 +94,12 @@ def draw(results: Results) -> Figure:
 
 def _draw(axes: Axes, own: pandas.DataFrame, alike: pandas.DataFrame) -> None:
     """Draw both eigenvalues, solid for stable gaits, with special points and the borders of stability."""
-    gaits = own[own["kind"] == ""]
+    gaits = own[own["special"] == ""]
     for name, (colour, label) in CURVES.items():
         style.stable_curve(axes, gaits["retraction_rate"], gaits[name], gaits["stable"], colour, label=label)
         axes.plot(alike["retraction_rate"], alike[name], "x", color=colour, markersize=4.5)
     for kind, (marker, height) in MARKS.items():
-        rates = own["retraction_rate"][own["kind"] == kind]
+        rates = own["retraction_rate"][own["special"] == kind]
         look: dict[str, Any] = {"color": style.MODE_COLOURS["slip_negative"], "markersize": 5, "zorder": 4}
         axes.plot(rates, np.full(len(rates), height), marker, label=kind, **look)
     for border in (-1.0, 1.0):

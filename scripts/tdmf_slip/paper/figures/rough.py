@@ -3,15 +3,19 @@
 The control are runners matched to the gait on one friction.
 """
 
+from collections.abc import Sequence
+
+import numpy as np
 import pandas
 from matplotlib.figure import Figure
 
 from ...analysis.first_passage import FirstPassage, strides_to_fall
+from ...analysis.sweeps import gaits_in
 from ...blocks import in_order
-from ...library.runner import Runner
+from ...library.gait import Gait
+from ...library.laws import AffineLaw
 from ...pictures import style
 from ...terminal.in_blocks import in_blocks
-from ...variables.table import FRICTION
 from ..matched import match_gaits
 from .data import Results, table_of
 from .over_friction import draw_means, friction_axis
@@ -27,31 +31,30 @@ REFERENCE, MATCHED_ROUGHNESS = 0.2, 0.3
 
 def table(results: Results) -> pandas.DataFrame:
     """Mean strides until the fall; inf if no runner fell. Takes minutes."""
-    runners = [results.runner.replace({FRICTION: friction}) for friction in FRICTIONS]
-    trials = [(runner, roughness) for roughness in ROUGHNESS for runner in runners]
-    own = len(trials)
-    matched = match_gaits([results.runner.replace({FRICTION: REFERENCE}), *runners])
-    trials += [(gait.runner, MATCHED_ROUGHNESS) for gait in matched if gait.stable]
-    with in_blocks(_passage, trials, "rough", "means", progress=True) as passages:
-        found = in_order(passages)
-    data = means(found, "mean_strides", "roughness", "word", "runners", *COUNTED)
-    data.insert(0, "matched", [number >= own for number in range(len(trials))])
-    data.insert(2, "friction", [runner[FRICTION] for runner, _ in trials])
+    own = [results.gait(friction) for friction in FRICTIONS]
+    matched = gaits_in(match_gaits([results.gait(REFERENCE), *own]))
+    trials = [(gait, None, roughness) for roughness in ROUGHNESS for gait in own]
+    trials += [(gait, None, MATCHED_ROUGHNESS) for gait in matched if gait.stable]
+    data = passages(trials)
+    data.insert(0, "matched", np.arange(len(trials)) >= len(ROUGHNESS) * len(own))
+    data.insert(2, "friction", [gait.friction for gait, *_ in trials])
     return data
 
 
-COUNTED = ("falls", "strides", "stopped", "unsolved")
-"""Counts of runners on rough ground."""
+def passages(trials: Sequence[tuple[Gait, AffineLaw | None, float]]) -> pandas.DataFrame:
+    """Falls and mean number of strides until the fall of runners on gaits, under laws, on rough ground."""
+    with in_blocks(_passage, trials, "rough", "means", progress=True) as results:
+        return table_of(
+            in_order(results),
+            *("roughness", "word", "runners", "falls", "strides", "stopped", "unsolved", "mean_strides"),
+            mean_strides_low=lambda one: one.interval[0],
+            mean_strides_high=lambda one: one.interval[1],
+        )
 
 
-def means(found: list[FirstPassage], name: str, *attributes: str) -> pandas.DataFrame:
-    """Attributes of first passages, and their mean number of strides with its interval."""
-    ends = {f"{name}_low": lambda one: one.interval[0], f"{name}_high": lambda one: one.interval[1]}
-    return table_of(found, *attributes, **{name: "mean_strides"}, **ends)
-
-
-def _passage(trial: tuple[Runner, float]) -> FirstPassage:
-    return strides_to_fall(*trial, RUNNERS, SEED, MAX_STRIDES)
+def _passage(trial: tuple[Gait, AffineLaw | None, float]) -> FirstPassage:
+    gait, law, roughness = trial
+    return strides_to_fall(gait.runner, roughness, RUNNERS, SEED, MAX_STRIDES, gait=gait, law=law)
 
 
 def draw(results: Results) -> Figure:

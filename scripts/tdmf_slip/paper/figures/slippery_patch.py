@@ -6,6 +6,7 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from ...analysis.search import periodic_gait
+from ...analysis.sweeps import gaits_in
 from ...library.gait import Gait
 from ...library.runner import Runner
 from ...pictures import style
@@ -34,7 +35,7 @@ def gaits(runner: Runner) -> list[tuple[Gait, bool]]:
     """Gaits on each ground, and gaits matched in speed and apex height to the last ground's, with True."""
     its = runner.replace({"ground.slope": float(np.radians(SLOPE))})
     own = [periodic_gait(its.replace({FRICTION: friction})) for friction in OUTSIDE]
-    alike = match_gaits([own[-1], *own[:-1]], ("speed", "apex_height"), MATCHED)
+    alike = gaits_in(match_gaits([own[-1], *own[:-1]], ("speed", "apex_height"), MATCHED))
     return [*((gait, False) for gait in own), *((gait, True) for gait in alike)]
 
 

@@ -8,15 +8,15 @@ import pandas
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from ...analysis.search import periodic_gait
+from ...analysis.branches import continue_branch
+from ...analysis.sweeps import gaits_in
 from ...errors import RunError
 from ...library.gait import Gait
-from ...library.runner import Runner
 from ...pictures import style
 from ...variables.table import FRICTION
-from ..along import followed, met
+from ..along import gait_table, up_to_turn
 from ..matched import gait_with, match_gaits
-from .data import LEADING, Results, table_by
+from .data import Results
 
 SLOPE = "ground.slope"
 COLOURS: Mapping[float, str] = {0.2: "#e07b00", 0.6: "#0b7a75", 10.0: "#22303c"}
@@ -34,54 +34,44 @@ HIGHEST_COST = 3.0
 DRAWN = {"speed": 0, "cost_of_transport": 1, "greater_eigenvalue": 2, "other_eigenvalue": 2}
 """Panel of each column."""
 
-Gaits = Mapping[float, tuple[tuple[float, Gait], ...]]
-"""Slopes with their gaits, by friction."""
+COLUMNS = "friction", "matched", "slope_degrees", "word", "stable", *DRAWN
+"""Columns of the data."""
 
 
-def own(runner: Runner) -> Gaits:
-    """Gaits from five degrees downhill to the steepest slope of their branch, by friction."""
-    found = {}
-    for friction in COLOURS:
-        its = runner.replace({FRICTION: friction})
-        first = periodic_gait(its)
-        down, climb = (
-            followed(first, SLOPE, 0.0, end, to_turn=end > 0.0, max_step=LARGEST_STEP, max_points=POINTS)
-            for end in (LOWEST, HIGHEST)
+def own(first: Gait) -> pandas.DataFrame:
+    """Gaits from five degrees downhill to the steepest slope of their branch."""
+    branch = up_to_turn(
+        continue_branch(
+            first, {SLOPE: (LOWEST, HIGHEST)}, max_step=LARGEST_STEP, max_points=POINTS, switch=False
         )
-        rows = *met(down)[:0:-1], *met(climb[:-1]), climb[-1]
-        found[friction] = tuple((row.value, row.gait) for row in rows)
-    return found
+    )
+    rows = gait_table(branch, FRICTION)
+    return rows[(rows["special"] == "") | (rows.index == len(rows) - 1)]
 
 
-def matched(runner: Runner) -> Gaits:
-    """Gaits matched on level ground to the one on the first friction, by friction."""
-    found = {}
-    for gait in match_gaits([periodic_gait(runner.replace({FRICTION: friction})) for friction in COLOURS]):
-        down, up = (tuple(_stepped(gait, step)) for step in (-STEP, STEP))
-        found[gait.friction] = (*down[::-1], (0.0, gait), *up)
-    return found
+def matched(first: Gait) -> pandas.DataFrame:
+    """Gaits of a runner along the slope, each found from the one before."""
+    down, up = ([*_stepped(first, step)] for step in (-STEP, STEP))
+    return gait_table([*down[::-1], first, *up], FRICTION, SLOPE)
 
 
-def _stepped(gait: Gait, step: float) -> Iterator[tuple[float, Gait]]:
-    """Yields slopes with gaits, each found from the one before."""
+def _stepped(gait: Gait, step: float) -> Iterator[Gait]:
+    """Yields gaits as far as there are any, each found from the one before."""
     slope = step
     with suppress(RunError):
         while LOWEST <= slope <= HIGHEST:
             gait = gait_with(gait, SLOPE, slope)
-            yield slope, gait
+            yield gait
             slope += step
 
 
 def table(results: Results) -> pandas.DataFrame:
-    """Data of the figure, with matched runners last; takes minutes."""
-    rows = [
-        (friction, alike, float(np.degrees(slope)), gait)
-        for alike, found in ((False, own(results.runner)), (True, matched(results.runner)))
-        for friction, branch in found.items()
-        for slope, gait in branch
-    ]
-    names = ["friction", "matched", "slope_degrees"]
-    return table_by(names, rows, "word", "stable", "speed", "cost_of_transport", **LEADING)
+    """Data of the figure, with runners matched to the one on the first friction last; takes minutes."""
+    gaits = [results.gait(friction) for friction in COLOURS]
+    tables = [own(gait).assign(matched=False) for gait in gaits]
+    tables += [matched(gait).assign(matched=True) for gait in gaits_in(match_gaits(gaits))]
+    found = pandas.concat(tables, ignore_index=True)
+    return found.assign(slope_degrees=np.degrees(found["slope"]))[[*COLUMNS]]
 
 
 def draw(results: Results) -> Figure:

@@ -1,19 +1,25 @@
 """Cost of transport and slip with leg thrust and with hip torque, at equal speed."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from contextlib import suppress
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import pandas
 from matplotlib.figure import Figure
 
+from ...analysis.branches import continue_branch
+from ...analysis.sweeps import gaits_in
 from ...errors import RunError
 from ...library.gait import Gait
 from ...pictures import style
-from ..along import followed, met
+from ...variables.table import FRICTION
+from ..along import gait_table
 from ..matched import gait_with, match_gait
-from .data import LEADING, Results, table_of, value_of
+from .data import Results
+
+if TYPE_CHECKING:
+    import xarray
 
 TORQUE, THRUST, ANGLE = "hip.stance_torque", "leg.thrust", "hip.touchdown_angle"
 FRICTIONS = (0.2, 0.6, 10.0)
@@ -33,59 +39,61 @@ HELPED, SPEEDS = 0.1, np.linspace(0.8, 1.5, 8)
 """Thrust and speeds of the matched runners."""
 
 
+COLUMNS = (
+    *("friction", "touchdown_angle", "stance_torque", "thrust", "word", "stable", "speed"),
+    *("cost_of_transport", "slip_per_length", "greater_eigenvalue", "other_eigenvalue"),
+)
+"""Columns of the data."""
+
+
 def table(results: Results) -> pandas.DataFrame:
     """Gaits of each actuation along branches over its strength, by friction; takes minutes.
 
     If the branch ends before the torque is zero, thrust alone has no gait.
     """
-    gaits: list[Gait] = []
+    tables: list[pandas.DataFrame] = []
     for friction in FRICTIONS:
         first = results.gait(friction)
         hip = _branch(first, TORQUE, HIGHEST_TORQUE, 0.0)
         added = _branch(first, THRUST, HIGHEST_THRUST)
-        gaits += (*hip, *added[1:], *_leg_alone(first), *matched(hip))
-    return table_of(
-        gaits,
-        "friction",
-        touchdown_angle=value_of(ANGLE),
-        hip_torque=value_of(TORQUE),
-        thrust=value_of(THRUST),
-        word="word",
-        stable="stable",
-        speed="speed",
-        cost_of_transport="cost_of_transport",
-        slip_per_length=lambda gait: gait.slip_distance / gait.length,
-        **LEADING,
-    )
+        found: list[xarray.Dataset | list[Gait]] = [
+            hip,
+            added.isel(point=slice(1, None)),
+            *_leg_alone(first),
+            matched(hip),
+        ]
+        tables += [gait_table(gaits, FRICTION, ANGLE, TORQUE, THRUST) for gaits in found]
+    data = pandas.concat(tables, ignore_index=True)
+    return data.assign(slip_per_length=data["slip_distance"] / data["length"])[[*COLUMNS]]
 
 
-def matched(by_hip: Sequence[Gait]) -> Iterator[Gait]:
+def matched(by_hip: "xarray.Dataset") -> list[Gait]:
     """Gaits with thrust that match stable gaits without thrust in speed and apex height."""
-    stable = [gait for gait in by_hip if gait.stable]
+    stable, found = gaits_in(by_hip.isel(point=by_hip["lambda_max"].values < 1.0)), []
     for speed in SPEEDS:
         reference = min(stable, key=lambda gait: abs(gait.stride["speed"] - speed))
         with suppress(RunError):
-            near = gait_with(reference, THRUST, HELPED, 2)
-            yield match_gait(reference, near, ("speed", "apex_height"), (TORQUE, ANGLE))
+            near = gait_with(reference, THRUST, HELPED)
+            found.append(match_gait(reference, near, ("speed", "apex_height"), (TORQUE, ANGLE)))
+    return found
 
 
-def _leg_alone(first: Gait) -> Iterator[Gait]:
-    *_, driven = _branch(first, THRUST, WITHOUT_TORQUE)
-    *_, freed = _branch(driven, TORQUE, 0.0)
-    if freed.runner[TORQUE] == 0.0:
-        yield from _branch(freed, THRUST, HIGHEST_THRUST, 0.0)
+def _leg_alone(first: Gait) -> Iterator["xarray.Dataset"]:
+    with suppress(RunError):
+        freed = gait_with(gait_with(first, THRUST, WITHOUT_TORQUE), TORQUE, 0.0)
+        yield _branch(freed, THRUST, HIGHEST_THRUST, 0.0)
 
 
-def _branch(first: Gait, name: str, end: float, begin: float | None = None) -> list[Gait]:
+def _branch(first: Gait, name: str, end: float, begin: float | None = None) -> "xarray.Dataset":
     """Gaits of a branch from the first one's value, or from another one, to an end."""
-    begin = first.runner[name] if begin is None else begin
-    rows = followed(first, name, begin, end, max_step=LARGEST_STEP, max_points=POINTS)
-    return [row.gait for row in met(rows)]
+    ends = first.runner[name] if begin is None else begin, end
+    found = continue_branch(first, {name: ends}, max_step=LARGEST_STEP, max_points=POINTS, switch=False)
+    return found.isel(point=found["special"].values == "")
 
 
 def actuated(data: pandas.DataFrame) -> dict[str, Any]:
     """Masks of the rows of each actuation."""
-    torque, thrust = data["hip_torque"], data["thrust"]
+    torque, thrust = data["stance_torque"], data["thrust"]
     beside = torque[(torque > 0.0) & (thrust > 0.0)].iloc[0]
     angle = data["touchdown_angle"]
     return {

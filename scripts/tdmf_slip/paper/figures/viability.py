@@ -4,6 +4,7 @@ import pandas
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from ...analysis.sweeps import gaits_in
 from ...library.runner import Runner
 from ...pictures import style
 from ...variables.table import FRICTION
@@ -27,7 +28,7 @@ def table(results: Results) -> pandas.DataFrame:
     """Viable sets of matched runners by the reduced map, at each friction; takes minutes."""
     small = Runner(results.runner, model="reduced")
     unmatched = [small.replace({FRICTION: friction}) for friction in (REFERENCE, *FRICTIONS)]
-    runners = [gait.runner for gait in match_gaits(unmatched, HOLD, VARY)]
+    runners = [gait.runner for gait in gaits_in(match_gaits(unmatched, HOLD, VARY))]
     sets = [viability(one, axes=AXES, vary=CHOSEN, n=CELLS, progress=True) for one in runners]
     settings = pandas.DataFrame({of: [one[of] for one in runners] for of in (FRICTION, *VARY)})
     sizes = table_of(

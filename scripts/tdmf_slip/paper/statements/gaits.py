@@ -3,9 +3,11 @@
 import math
 from collections.abc import Callable, Mapping
 from functools import cache
+from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ...analysis.branches import continue_branch
 from ...analysis.special_points import FOLD, NEIMARK_SACKER, PERIOD_DOUBLING
 from ...analysis.sweeps import Sweep, gait_at, sweep
 from ...analysis.targeted import find_gait
@@ -15,7 +17,7 @@ from ...library.runner import Runner
 from ...optimization.optimize import optimize
 from ...optimization.optimum import Optimum
 from ...variables.table import FRICTION
-from ..along import Row, followed
+from ..along import up_to_turn
 from ..matched import gait_with, match_gait
 from .claim import (
     ANGLE,
@@ -38,6 +40,9 @@ from .claim import (
     solved,
     stride_quantity,
 )
+
+if TYPE_CHECKING:
+    import xarray
 
 # Statements on speed, cost and stability at each friction
 
@@ -168,33 +173,33 @@ def _level(regime: Regime, friction: float, reference: float | None, angle: floa
 
 
 @cached_with_errors
-def climb(regime: Regime, friction: float, reference: float | None, angle: float | None) -> list[Row]:
+def climb(regime: Regime, friction: float, reference: float | None, angle: float | None) -> "xarray.Dataset":
     """Gaits and special points up to the fold at which the branch from level ground turns back."""
     level = _level(regime, friction, reference, angle)
-    return followed(level, SLOPE, 0.0, HIGHEST, to_turn=True, max_points=POINTS)
+    return up_to_turn(continue_branch(level, {SLOPE: (0.0, HIGHEST)}, max_points=POINTS, switch=False))
 
 
 def steepest(friction: float, angle: float | None = None) -> Measure:
     """Slope of the steepest gait, degrees."""
-    return solved(lambda regime: math.degrees(climb(regime, friction, None, angle)[-1].value))
+    return solved(lambda regime: math.degrees(climb(regime, friction, None, angle)[SLOPE][-1]))
 
 
 def stable_to(friction: float, angle: float | None = None, reference: float | None = None) -> Measure:
     """Slope at which the gait loses stability, or of the steepest gait, degrees."""
 
     def degrees(regime: Regime) -> float:
-        first, *rows = climb(regime, friction, reference, angle)
-        if not first.gait.stable:
+        branch = climb(regime, friction, reference, angle)
+        lost = np.isin(branch["special"].values, BIFURCATIONS) | (branch["lambda_max"].values >= 1.0)
+        if lost[0]:
             raise RunError("unstable")
-        lost = (row for row in rows if row.kind in BIFURCATIONS or not row.gait.stable)
-        return math.degrees(next(lost, rows[-1]).value)
+        return math.degrees(branch[SLOPE][np.argmax(lost) if lost.any() else -1])
 
     return solved(degrees)
 
 
 def at_the_top(quantity: str, friction: float) -> Measure:
     """A quantity of the steepest gait."""
-    return stride_quantity(lambda regime: climb(regime, friction, None, None)[-1].gait, quantity)
+    return solved(lambda regime: float(climb(regime, friction, None, None)[quantity][-1]))
 
 
 def slowed(friction: float, reference: float | None = None) -> Measure:
@@ -202,7 +207,7 @@ def slowed(friction: float, reference: float | None = None) -> Measure:
 
     def over(regime: Regime) -> float:
         one = _level(regime, friction, reference)
-        uphill = gait_with(one, SLOPE, UPHILL, 6)
+        uphill = gait_with(one, SLOPE, UPHILL)
         return uphill.stride["speed"] / one.stride["speed"]
 
     return solved(over)
@@ -256,7 +261,7 @@ def _at_speed(regime: Regime, name: str, added: float) -> Gait:
 def as_high(regime: Regime) -> Gait:
     """The runner with thrust that has the speed and apex height of the runner driven by torque."""
     reference = by_torque(regime)
-    helped = gait_with(reference, THRUST, HELPED * reference.runner["leg.free_length"], 2)
+    helped = gait_with(reference, THRUST, HELPED * reference.runner["leg.free_length"])
     return match_gait(reference, helped, ("speed", "apex_height"), (TORQUE, ANGLE))
 
 
@@ -282,6 +287,7 @@ THRUSTS: Measures = {
 SLIPPERY, BETWEEN = 0.3, 0.85
 """Frictions at which the runner of least net work slips for most of its stance, and for some of it."""
 SPEED, RADIUS = 0.8, 0.95
+"""Speed, l0 sqrt(k/m), and the largest spectral radius: a disturbance is halved within 14 strides."""
 BOUNDS: Mapping[str, tuple[float, float]] = {ANGLE: (0.3, 1.1), TORQUE: (0.0, 0.6), THRUST: (0.0, 0.4)}
 HUMAN_SPEED, HUMAN_RADIUS = 2.5, 0.975
 HUMAN_BOUNDS: Mapping[str, tuple[float, float]] = {

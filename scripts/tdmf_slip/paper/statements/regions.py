@@ -1,6 +1,6 @@
 """Claims about regions of attraction, viable sets, the reduced map, and feedback from stride to stride."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from functools import cache
 from typing import TYPE_CHECKING
@@ -52,8 +52,8 @@ SAMPLES = 4000
 """Starts for each share, drawn from a box in all six coordinates."""
 LIGHT = 0.005
 """Gravity of a runner of half the weight of Table 1."""
-Design = Callable[[Regime, float], AffineLaw]
-"""Designs a law for the gait of a regime at a friction."""
+Design = Callable[[Gait], AffineLaw]
+"""Designs a law for a gait."""
 
 
 @cache
@@ -66,9 +66,12 @@ def _share(one: Gait, seed: int, law: AffineLaw | None = None) -> Estimate:
 def share(friction: float, reference: float | None = None, design: Design | None = None) -> Measure:
     """Share of the box that settles on the gait. Other runners and laws have other starts than the gait."""
     other = reference is not None or design is not None
-    return lambda regime, seed: _share(
-        runner_on(regime, friction, reference), 2 * seed + other, design and design(regime, friction)
-    )
+
+    def measure(regime: Regime, seed: int) -> Estimate:
+        one = runner_on(regime, friction, reference)
+        return _share(one, 2 * seed + other, design and design(one))
+
+    return measure
 
 
 def _light_gait(regime: Regime, friction: float) -> Gait:
@@ -96,8 +99,8 @@ def largest(
     """The largest disturbance that is recovered from, over the scale of its coordinate."""
 
     def measure(regime: Regime, seed: int) -> Estimate:
-        law = design and design(regime, friction)
-        found = getattr(_robustness(runner_on(regime, friction, reference), law), disturbance)
+        one = runner_on(regime, friction, reference)
+        found = getattr(_robustness(one, design and design(one)), disturbance)
         scale = gait(regime, friction).runner.scales[COORDINATES.index(DISTURBED[disturbance])]
         value = float(found / scale)
         return Estimate(value, min(value, FARTHEST), value)
@@ -263,23 +266,20 @@ MAX_STRIDES = 400
 
 
 @cache
-def regulator(regime: Regime, friction: float) -> Feedback:
+def regulator(one: Gait, settings: Sequence[str] = SETTINGS) -> Feedback:
     """A quadratic regulator of touchdown angle and stance torque, within limits."""
-    one = runner_on(regime, friction)
-    return lqr(one, SETTINGS, limits=_limits(one))
+    return lqr(one, settings, limits=_limits(one, settings))
 
 
 @cache
-def dead_beat_law(regime: Regime, friction: float) -> Feedback:
-    """A law of the same settings and limits that removes a small disturbance in two strides."""
-    one = runner_on(regime, friction)
-    return dead_beat(one, SETTINGS, limits=_limits(one), negligible=NEGLIGIBLE)
+def dead_beat_law(one: Gait) -> Feedback:
+    """A law of both settings, within the same limits, that removes a small disturbance in two strides."""
+    return dead_beat(one, SETTINGS, limits=_limits(one, SETTINGS), negligible=NEGLIGIBLE)
 
 
-def _limits(one: Gait) -> dict[str, tuple[float, float]]:
-    angle, torque = (one.runner[name] for name in SETTINGS)
-    reach = TORQUE_REACH * torque
-    return {ANGLE: (angle - ANGLE_REACH, angle + ANGLE_REACH), TORQUE: (torque - reach, torque + reach)}
+def _limits(one: Gait, settings: Sequence[str]) -> dict[str, tuple[float, float]]:
+    reach = {ANGLE: ANGLE_REACH, TORQUE: TORQUE_REACH * one.runner[TORQUE]}
+    return {name: (one.runner[name] - reach[name], one.runner[name] + reach[name]) for name in settings}
 
 
 def _strides(friction: float, design: Design | None = None, reference: float | None = None) -> Measure:
@@ -289,7 +289,7 @@ def _strides(friction: float, design: Design | None = None, reference: float | N
         one, law = runner_on(regime, friction, reference), None
         if design is not None:
             noise = (NOISE * regime.step * one.runner.scales).tolist()
-            law = replace(design(regime, friction), noise=noise, seed=seed)
+            law = replace(design(one), noise=noise, seed=seed)
         ground = RoughGround(LOW * regime.step, 3 * seed + (design is not None) + 2 * (reference is not None))
         return mean_strides(one, ground, max_strides=MAX_STRIDES, law=law)
 

@@ -163,8 +163,8 @@ PATCHES: Measures = {
 # Retraction of the leg before touchdown: eigenvalue of height, and strides on rough ground
 
 RATE = "hip.retraction_rate"
-RETRACTS, STEPS = 0.008, 4
-"""Rate of retraction over sqrt(k/m), and the number of steps along the branch to this rate."""
+RETRACTS = 0.008
+"""Rate of retraction over sqrt(k/m)."""
 RETRACTING_RUNNERS, RETRACTING_STRIDES = 400, 400
 FLAT = "45 deg"
 """Touchdown angle that lays the leg flatter than the 40 degrees of Table 1."""
@@ -184,7 +184,7 @@ def faster(runner: Runner) -> float:
 def retracting(regime: Regime, friction: float, angle: str | None = None) -> Gait:
     """The gait with `RETRACTS` added to the regime's own rate of retraction."""
     one = plain(regime, friction, angle)
-    return gait_with(one, RATE, faster(one.runner), STEPS)
+    return gait_with(one, RATE, faster(one.runner))
 
 
 @cached_with_errors
