@@ -6,7 +6,7 @@ install(PROGRAMS $<TARGET_FILE:tdmf_slip_shared> DESTINATION tdmf_slip/native RE
 install(DIRECTORY include/tdmf_slip DESTINATION tdmf_slip/native COMPONENT unit EXCLUDE_FROM_ALL)
 # With these and the kernel, the package builds libraries of its users' pages.
 install(FILES gait/page.c gait/page_batch.c gait/page_map.h DESTINATION tdmf_slip/gait COMPONENT unit EXCLUDE_FROM_ALL)
-set(engine affine_law.c ensemble.c member.c member.h normal_deviates.c page_member.c philox.c philox.h request_checks.c
+set(engine affine_law.c drawn_ground.c drawn_ground.h ensemble.c ground.c ground.h ground_checks.c member.c member.h normal_deviates.c page_member.c philox.c philox.h request_checks.c
     request_checks.h settled.c settled.h)
 list(TRANSFORM engine PREPEND ensemble/)
 install(FILES ${engine} model/refusal.c model/refusal.h solver/stride_limits.h DESTINATION tdmf_slip/ensemble COMPONENT unit EXCLUDE_FROM_ALL)

@@ -1,9 +1,10 @@
 /* Heights and frictions of the ground from deviates that may be correlated. */
 #include "drawn_ground.h"
 
-#include "settings.h"
-
 #include <math.h>
+
+/* Largest friction, as on the page. */
+static const double largest = 1e6;
 
 typedef double deviate_of_number(uint64_t seed, uint64_t runner, uint32_t number);
 
@@ -30,7 +31,6 @@ double tdmf_segment_height(const tdmf_ensemble_rules *rules, uint64_t runner, in
 }
 
 double tdmf_drawn_friction(const tdmf_ensemble_rules *rules, double about, uint64_t runner, uint32_t number) {
-    const double largest = tdmf_setting_range(tdmf_setting_of("ground.friction"))->maximum;
     const double factor =
         exp(rules->friction_spread * weighted(tdmf_friction_deviate, rules->friction_weights,
                                               rules->friction_weight_count, rules->seed, runner, number));

@@ -1,6 +1,8 @@
 /* A runner at an apex: the start of its run, the end of each stride, its settings, and the end of its run. */
 #include "member.h"
 
+#include "ground.h"
+#include "request_checks.h"
 #include "settled.h"
 #include "stride_limits.h"
 #include "threads.h"
@@ -27,9 +29,26 @@ int64_t tdmf_open_record(const tdmf_member *member) {
                : -1;
 }
 
+/* Before the start nothing depends on a number yet. */
+void tdmf_member_set(tdmf_member *member, bool is_state, int place, double value) {
+    double *states = member->has_started ? member->run->x : member->held;
+    double *numbers = is_state ? states : member->run->p;
+    if (place >= 0 && !member->has_started) {
+        numbers[place] = value;
+    } else if (place >= 0 && numbers[place] != value) {
+        tdmf_page_set(member->page.model, member->run, is_state, place, value);
+    }
+}
+
 static void set_all(tdmf_member *member, const int *settings, const double *values, int count) {
+    const int parameters = member->whole->parameter_count;
     for (int i = 0; i < count; ++i) {
-        member->kind->set(member, settings[i], values[i]);
+        const int place = member->kind->place(settings[i]);
+        const bool is_state = place >= parameters;
+        tdmf_member_set(member, is_state,
+                        is_state ? tdmf_state_on_part(&member->page, place - parameters)
+                                 : tdmf_parameter_on_part(&member->page, place),
+                        values[i]);
     }
 }
 
@@ -55,6 +74,13 @@ bool tdmf_has_settings(const tdmf_member *member) {
     return member->ensemble->given || member->its_case->rules.law;
 }
 
+bool tdmf_is_setting(const tdmf_member *member, int setting) {
+    const tdmf_given_settings *given = member->ensemble->given;
+    const tdmf_affine_law *law = member->its_case->rules.law;
+    return (given && tdmf_has_setting(given->settings, given->count, setting)) ||
+           (law && tdmf_has_setting(law->settings, law->count, setting));
+}
+
 void tdmf_apply_settings(tdmf_member *member) {
     if (member->ensemble->given) {
         set_given(member, member->ensemble->given);
@@ -65,7 +91,7 @@ void tdmf_apply_settings(tdmf_member *member) {
 }
 
 bool tdmf_member_changes(const tdmf_member *member) {
-    return tdmf_has_settings(member) || member->kind->changes(member);
+    return member->begins_anew || tdmf_has_settings(member) || tdmf_draws_ground(member);
 }
 
 /* ---- the start of a run -------------------------------------------------------------------------------- */
@@ -79,6 +105,7 @@ static void open_stride(tdmf_member *member, double steps_left) {
     member->steps_left = steps_left;
     member->steps_before = run->steps;
     run->step_limit = tdmf_step_limit_of(steps_left);
+    member->begun = member->begins_anew ? -1.0 : run->time;
     *member->until = run->time + member->kind->longest_stride(member);
 }
 
@@ -128,6 +155,75 @@ static bool begin(tdmf_member *member) {
            !settles(member, tdmf_gait_of_ball(member, member->end->apex));
 }
 
+/* ---- strides ------------------------------------------------------------------------------------------- */
+
+bool tdmf_begin_stride(tdmf_member *member) {
+    const int64_t record = tdmf_open_record(member);
+    tdmf_draw_ground(member);
+    if (record >= 0) {
+        member->ensemble->strides[record].began = 1;
+        member->ensemble->strides[record].ground_height = tdmf_ground_height(member);
+    }
+    return !tdmf_has_tripped(member) || tdmf_give_up(member, TDMF_FATE_FELL);
+}
+
+/* The event of the start has been taken. */
+static bool goes_on_from_start(tdmf_member *member, tdmf_run_outcome outcome) {
+    if (member->end->strides == 0 && !member->ensemble->goes_on) {
+        member->first_event = member->run->events;
+    }
+    member->has_started = true;
+    member->run->stop_event = member->section->event;
+    member->run->log_count = 0;
+    return tdmf_begin_stride(member) &&
+           (outcome == TDMF_RUN_STOPPED || member->kind->ends_elsewhere(member, outcome));
+}
+
+/* A stride closes at the event of the section, which may also end the run. */
+static bool closes(const tdmf_member *member, tdmf_run_outcome outcome) {
+    const tdmf_page_run *run = member->run;
+    return outcome == TDMF_RUN_STOPPED ||
+           (outcome == TDMF_RUN_ENDED && (run->taken >> member->section->event & 1u) != 0 &&
+            run->time > member->begun);
+}
+
+/* Begins the next stride at the point where the last one has closed. A runner that has not got onto its last
+ * ground in a whole stride is below it. Returns false where the run has ended. */
+static bool begin_next(tdmf_member *member) {
+    const tdmf_member_kind *kind = member->kind;
+    if (member->begins_anew) {
+        member->has_started = false;
+        kind->prepare(member);
+        tdmf_apply_settings(member);
+        return kind->start(member);
+    }
+    if (tdmf_is_below_ground(member)) {
+        return tdmf_give_up(member, TDMF_FATE_FELL);
+    }
+    tdmf_apply_settings(member);
+    member->run->log_count = 0;
+    return (kind->start_anew && kind->start_anew(member)) || tdmf_begin_stride(member);
+}
+
+/* Puts the run where it stood in an earlier call. */
+static void load(tdmf_member *member, const tdmf_ensemble_checkpoint *checkpoint) {
+    const tdmf_page_part *page = &member->page;
+    tdmf_page_run *run = member->run;
+    run->mode = tdmf_mode_on_part(page, checkpoint->mode);
+    run->chain = checkpoint->chain;
+    run->time = checkpoint->time;
+    run->time_rest = checkpoint->time_rest;
+    run->taken = tdmf_events_on_part(page, checkpoint->taken);
+    run->above = tdmf_events_on_part(page, checkpoint->above);
+    run->late = tdmf_events_on_part(page, checkpoint->late);
+    run->stop_event = member->section->event;
+    tdmf_take_states(page, checkpoint->states, run->x);
+    tdmf_load_ground(member, checkpoint);
+    if (member->kind->resume) {
+        member->kind->resume(member);
+    }
+}
+
 /* Goes on from the checkpoint of an earlier call. */
 static bool go_on(tdmf_member *member) {
     tdmf_ensemble_checkpoint *checkpoint = &member->ensemble->checkpoints[member->index];
@@ -137,9 +233,11 @@ static bool go_on(tdmf_member *member) {
     checkpoint->stands = false;
     member->end->fate = TDMF_FATE_UNDECIDED;
     member->has_started = true;
-    member->kind->load(member, checkpoint);
+    if (!member->begins_anew) {
+        load(member, checkpoint);
+    }
     open_stride(member, step_limit(member->ensemble));
-    return member->kind->begin_next(member);
+    return begin_next(member);
 }
 
 bool tdmf_member_begin(tdmf_member *member, int64_t index, tdmf_ensemble_end *end) {
@@ -183,11 +281,57 @@ bool tdmf_is_of_model(const tdmf_ensemble_checkpoint *from, const tdmf_ensemble 
            from->section == own.section;
 }
 
+/* The mode of a run on the ensemble's page. Ends that the page does not have are one of its own, in the same
+ * coordinates. */
+static int mode_in_whole(const tdmf_member *member) {
+    const int known = tdmf_mode_in_whole(&member->page, member->run->mode);
+    int mode = known < 0 ? 0 : known;
+    while (known < 0 && !member->whole->modes[mode].ends) {
+        ++mode;
+    }
+    return mode;
+}
+
+/* A run of which each stride begins anew needs no more than its end. */
 static void write_checkpoint(const tdmf_member *member) {
-    if (member->ensemble->checkpoints) {
-        tdmf_ensemble_checkpoint *checkpoint = &member->ensemble->checkpoints[member->index];
-        *checkpoint = checkpoint_of(member->ensemble);
-        member->kind->save(member, checkpoint);
+    if (!member->ensemble->checkpoints) {
+        return;
+    }
+    tdmf_ensemble_checkpoint *checkpoint = &member->ensemble->checkpoints[member->index];
+    *checkpoint = checkpoint_of(member->ensemble);
+    if (!member->begins_anew) {
+        const tdmf_page_part *page = &member->page;
+        const tdmf_page_run *run = member->run;
+        checkpoint->mode = mode_in_whole(member);
+        checkpoint->chain = run->chain;
+        checkpoint->time = run->time;
+        checkpoint->time_rest = run->time_rest;
+        checkpoint->taken = tdmf_events_in_whole(page, run->taken);
+        checkpoint->above = tdmf_events_in_whole(page, run->above);
+        checkpoint->late = tdmf_events_in_whole(page, run->late);
+        memcpy(checkpoint->states, member->whole->state_defaults,
+               (size_t)member->whole->state_count * sizeof *checkpoint->states);
+        tdmf_give_states(page, run->x, checkpoint->states);
+        tdmf_save_ground(member, checkpoint);
+    }
+}
+
+/* The point of the section, the time, and the place. */
+static void record_apex(tdmf_member *member) {
+    const tdmf_section_kind *section = member->section;
+    const tdmf_page_run *run = member->run;
+    tdmf_ensemble_end *end = member->end;
+    for (int i = 0; i < section->count; ++i) {
+        end->apex[i] = run->x[section->coordinates[i]];
+    }
+    if (member->begins_anew) {
+        end->time += run->time;
+    } else {
+        end->time = run->time;
+        tdmf_record_place(member);
+    }
+    if (member->kind->record_apex) {
+        member->kind->record_apex(member);
     }
 }
 
@@ -196,7 +340,7 @@ static bool close_stride(tdmf_member *member) {
     const int64_t record = tdmf_open_record(member);
     const tdmf_ensemble_end before = *end;
     const double steps_left = member->steps_left - (double)(member->run->steps - member->steps_before);
-    member->kind->record_apex(member);
+    record_apex(member);
     if (record >= 0) {
         member->kind->record_stride(member, &before, &member->ensemble->strides[record]);
     }
@@ -215,14 +359,14 @@ static bool close_stride(tdmf_member *member) {
         write_checkpoint(member);
         return false;
     }
-    return member->kind->begin_next(member);
+    return begin_next(member);
 }
 
 bool tdmf_member_goes_on(tdmf_member *member, tdmf_run_outcome outcome) {
     const tdmf_member_kind *kind = member->kind;
-    const bool goes_on = !member->has_started            ? kind->goes_on_from_start(member, outcome)
-                         : kind->closes(member, outcome) ? close_stride(member)
-                                                         : kind->ends_elsewhere(member, outcome);
+    const bool goes_on = !member->has_started      ? goes_on_from_start(member, outcome)
+                         : closes(member, outcome) ? close_stride(member)
+                                                   : kind->ends_elsewhere(member, outcome);
     if (!goes_on) {
         member->events += member->run->events - member->first_event;
     }

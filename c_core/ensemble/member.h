@@ -7,28 +7,42 @@
 
 typedef struct tdmf_member_kind tdmf_member_kind;
 
+/* Parameters and states of a page whose ground may vary, and its tables: at most. */
+enum { TDMF_PLACE_LIMIT = TDMF_CHECKPOINT_STATES, TDMF_TABLE_LIMIT = 4 };
+
+/* Places of the ground on a page; -1: the page does not have it. */
+typedef struct {
+    int begins;                               /* event of the start */
+    int segments;                             /* table */
+    int height, slope, trips, keeps_friction; /* parameters */
+    int friction, external_fx, external_fy, line_height, line_slope, segment, segment_height, foot_x, foot_y,
+        apex_height; /* states */
+} tdmf_ground_places;
+
 typedef struct {
     const tdmf_ensemble *ensemble;
     const tdmf_member_kind *kind;
     const tdmf_model_kind *model; /* the page that runs */
-    int64_t index;                /* in the ensemble */
-    uint64_t number;              /* counter of its random ground and noise */
+    tdmf_page_part page;          /* that page as a part of the ensemble's page */
+    const tdmf_model_kind *whole; /* the ensemble's page */
+    const tdmf_section_kind *section;
+    tdmf_ground_places ground;
+    bool begins_anew; /* each stride begins at the point of the section, with the numbers of the case */
+    int64_t index;    /* in the ensemble */
+    uint64_t number;  /* counter of its random ground and noise */
     const tdmf_ensemble_case *its_case;
     tdmf_ensemble_end *end;
     tdmf_page_run *run;
-    double *held;               /* memory for states */
-    double *until;              /* time limit of its stride, s */
-    bool has_started;           /* false: the event of the start is next */
-    double steps_left;          /* step limit of the stride under way */
-    long steps_before;          /* steps of the run when the stride began */
-    long first_event;           /* number of the run's first event after the start */
-    int64_t events, strides;    /* of all runners in this place */
-    const tdmf_page_part *page; /* page of the runner; this and the following are not used by other pages */
-    const int *places;          /* on the page, of each state of the runner's page; -1: the page has none */
-    int begins, apex;           /* events of the page: the start, and where a stride closes */
-    tdmf_parameters parameters; /* as they are set */
-    tdmf_inputs inputs;
-    tdmf_table ground; /* segments of a terrain */
+    double *held;            /* states with which the run has begun */
+    double *until;           /* time limit of its stride, s */
+    double begun;            /* time at which the stride began, s */
+    bool has_started;        /* false: the event of the start is next */
+    double steps_left;       /* step limit of the stride under way */
+    long steps_before;       /* steps of the run when the stride began */
+    long first_event;        /* number of the run's first event after the start */
+    int64_t events, strides; /* of all runners in this place */
+    const int *places;       /* on the page, of each state of the runner's page; -1: the page has none */
+    tdmf_table tables[TDMF_TABLE_LIMIT]; /* of the page: the segments of a terrain */
 } tdmf_member;
 
 /* The functions in which the runner and the models of other pages differ. */
@@ -40,6 +54,11 @@ struct tdmf_member_kind {
     bool (*is_checkpoint)(const tdmf_ensemble_checkpoint *from, const tdmf_ensemble *ensemble);
     bool (*range)(const tdmf_ensemble *ensemble, int setting, double *least, double *most);
     int (*coordinates)(const tdmf_ensemble *ensemble);
+    /* Parameters and states of a case, and the place of a setting on the page: that of a parameter, or of a
+     * state counted on from there. */
+    void (*numbers)(const tdmf_ensemble_case *its_case, const tdmf_model_kind *model, double *parameters,
+                    double *states);
+    int (*place)(int setting);
     /* ---- models: a plain one where it suits a runner. `places` has room for TDMF_PLACE_LIMIT */
     tdmf_model_kind (*model)(const tdmf_ensemble *ensemble, bool is_plain);
     bool (*is_plain)(const tdmf_ensemble *ensemble, int64_t index);
@@ -47,23 +66,16 @@ struct tdmf_member_kind {
     /* ---- runs. A function that returns false has written the fate, and the run is over */
     double (*longest_stride)(const tdmf_member *member); /* s */
     void (*prepare)(tdmf_member *member);                /* before anything is set */
-    void (*set)(tdmf_member *member, int setting, double value);
     bool (*start)(tdmf_member *member);
-    bool (*goes_on_from_start)(tdmf_member *member, tdmf_run_outcome outcome);
-    bool (*changes)(const tdmf_member *member); /* at apices */
-    bool (*closes)(const tdmf_member *member, tdmf_run_outcome outcome);
-    bool (*begin_next)(tdmf_member *member); /* stride, at an apex */
+    void (*resume)(tdmf_member *member);     /* a run from a checkpoint; or NULL */
+    bool (*start_anew)(tdmf_member *member); /* at an apex; false: the run goes on from there */
     bool (*ends_elsewhere)(tdmf_member *member, tdmf_run_outcome outcome);
     /* ---- results */
-    void (*record_apex)(tdmf_member *member);
+    void (*record_apex)(tdmf_member *member); /* besides coordinates, time and place */
     void (*record_stride)(const tdmf_member *member, const tdmf_ensemble_end *before,
                           tdmf_ensemble_stride *record);
     void (*scales)(const tdmf_member *member, double scales[TDMF_POINT_LIMIT]);
-    void (*save)(const tdmf_member *member, tdmf_ensemble_checkpoint *checkpoint);
-    void (*load)(tdmf_member *member, const tdmf_ensemble_checkpoint *checkpoint);
 };
-
-enum { TDMF_PLACE_LIMIT = 128 };
 
 /* The runner's kind, which the library of another page does not have: there it is NULL. */
 extern const tdmf_member_kind *const tdmf_runner_kind;
@@ -95,8 +107,17 @@ const tdmf_ensemble_case *tdmf_case_of(const tdmf_ensemble *ensemble, int64_t in
 /* Puts a run into the first mode, before any event. Its time and its counters go on. */
 void tdmf_restart(tdmf_page_run *run);
 
+/* Sets a parameter or a state of the page that runs; -1: the page does not have it. */
+void tdmf_member_set(tdmf_member *member, bool is_state, int place, double value);
+
 /* True if a law or the request changes settings at apices. */
 bool tdmf_has_settings(const tdmf_member *member);
+
+/* True if a law or the request sets this one. */
+bool tdmf_is_setting(const tdmf_member *member, int setting);
+
+/* Begins a stride, on whose settings and ground everything depends. Returns false where the run has ended. */
+bool tdmf_begin_stride(tdmf_member *member);
 
 /* Writes the settings of the stride that begins, if there are any. */
 void tdmf_apply_settings(tdmf_member *member);

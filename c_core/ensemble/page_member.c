@@ -1,6 +1,7 @@
-/* A model of any page as a member of an ensemble: a stride is a run from a point of the section to the next,
- * and the next stride begins anew at that point, with the numbers of the case. */
-#include "member.h"
+/* A model of any page as a member of an ensemble. A model whose page has ground goes on from apex to apex,
+ * because its strides depend on where it is. Each stride of another model begins anew at the point of the
+ * section that the last one has reached, with the numbers of the case. */
+#include "ground.h"
 #include "page_map.h"
 #include "refusal.h"
 
@@ -42,23 +43,21 @@ static bool is_sound(tdmf_refusal *why, const tdmf_ensemble *ensemble) {
            tdmf_accepts_if(why, !ensemble->notes || ensemble->strides, TDMF_EXCLUDED, "notes", 0,
                            "they are those of recorded strides, and no strides are recorded") &&
            tdmf_accepts_number(why, "section", "1", ensemble->section, 0.0, model->section_count - 1) &&
-           tdmf_accepts_if(why, !ensemble->foot_x, TDMF_EXCLUDED, "foot_x", 0, "a page has no foot");
+           tdmf_accepts_if(why, !ensemble->foot_x || tdmf_has_ground(model), TDMF_EXCLUDED, "foot_x", 0,
+                           "the page has no ground") &&
+           tdmf_are_foot_positions(why, ensemble);
 }
 
 static bool is_case(tdmf_refusal *why, const tdmf_ensemble_case *its_case, const tdmf_ensemble *ensemble) {
-    const tdmf_ensemble_rules *rules = &its_case->rules;
-    (void)ensemble;
     return tdmf_accepts_pointer(why, "cases[].parameters", its_case->parameters) &&
            tdmf_accepts_pointer(why, "cases[].states", its_case->states) &&
-           tdmf_accepts_if(
-               why, rules->roughness == 0.0 && rules->friction_spread == 0.0 && rules->terrain.length == 0.0,
-               TDMF_EXCLUDED, "cases[].rules.roughness", 0, "a page has no drawn ground and no terrain");
+           tdmf_is_sound_ground(why, its_case, ensemble);
 }
 
-/* A stride begins at the last point of the section, in the first mode. */
+/* A stride that begins anew begins in the first mode. */
 static bool is_checkpoint(const tdmf_ensemble_checkpoint *from, const tdmf_ensemble *ensemble) {
-    (void)ensemble;
-    return from->mode == 0;
+    const tdmf_model_kind *model = model_of(ensemble);
+    return from->mode >= 0 && from->mode < (tdmf_has_ground(model) ? model->mode_count : 1);
 }
 
 static bool range(const tdmf_ensemble *ensemble, int setting, double *least, double *most) {
@@ -73,6 +72,16 @@ static int coordinates(const tdmf_ensemble *ensemble) {
     return section_of(ensemble)->count;
 }
 
+static void numbers(const tdmf_ensemble_case *its_case, const tdmf_model_kind *model, double *parameters,
+                    double *states) {
+    memcpy(parameters, its_case->parameters, (size_t)model->parameter_count * sizeof *parameters);
+    memcpy(states, its_case->states, (size_t)model->state_count * sizeof *states);
+}
+
+static int place(int setting) {
+    return setting;
+}
+
 static tdmf_model_kind model(const tdmf_ensemble *ensemble, bool is_plain) {
     (void)is_plain;
     return *model_of(ensemble);
@@ -84,7 +93,13 @@ static bool is_plain(const tdmf_ensemble *ensemble, int64_t index) {
 }
 
 static void settle_in(tdmf_member *member, bool is_plain_page, int *places) {
-    (void)member, (void)is_plain_page, (void)places;
+    const tdmf_page_part whole = {.model = model_of(member->ensemble)};
+    (void)is_plain_page, (void)places;
+    member->page = whole;
+    member->whole = whole.model;
+    member->section = section_of(member->ensemble);
+    member->begins_anew = !tdmf_has_ground(whole.model);
+    member->ground = tdmf_places_of_ground(whole.model);
 }
 
 /* ---- strides ------------------------------------------------------------------------------------------- */
@@ -95,58 +110,41 @@ static double longest_stride(const tdmf_member *member) {
 }
 
 static void prepare(tdmf_member *member) {
-    const tdmf_model_kind *of = member->model;
-    memcpy(member->run->p, member->its_case->parameters, (size_t)of->parameter_count * sizeof *member->held);
-    memcpy(member->held, member->its_case->states, (size_t)of->state_count * sizeof *member->held);
+    numbers(member->its_case, member->model, member->run->p, member->held);
+    if (!member->begins_anew) {
+        tdmf_lay_ground(member);
+    }
 }
 
-static void set(tdmf_member *member, int setting, double value) {
-    const int state = setting - member->model->parameter_count;
-    double *of = state < 0 ? &member->run->p[setting] : &member->held[state];
-    *of = value;
-}
-
-/* Begins a stride at the last point, as it is set. */
+/* Begins a run at the last point, as it is set. */
 static bool start(tdmf_member *member) {
-    const tdmf_section_kind *section = section_of(member->ensemble);
-    const tdmf_model_kind *of = model_of(member->ensemble);
+    const tdmf_section_kind *section = member->section;
+    const tdmf_model_kind *of = member->page.model;
     tdmf_page_run *run = member->run;
     const double *point = member->end->apex;
     run->time = run->time_rest = 0.0;
     run->log_count = 0;
     tdmf_restart(run);
-    run->stop_event = section->event;
     *member->until = longest;
-    member->has_started = true;
     if (!tdmf_is_page_point_sound(section, point) || !tdmf_are_page_values_sound(of, run->p, member->held)) {
         return tdmf_give_up(member, TDMF_FATE_NO_START);
     }
+    if (!member->begins_anew) {
+        tdmf_enter_segment(member, member->held);
+    }
     memcpy(run->x, member->held, (size_t)of->state_count * sizeof *run->x);
     section->enter(run->p, member->held, point, run->x);
+    if (member->end->foot_x != 0.0) { /* as high above the ground there */
+        const int slope = member->ground.slope;
+        run->x[member->ground.foot_x] += member->end->foot_x;
+        run->x[member->ground.foot_y] += member->end->foot_x * (slope < 0 ? 0.0 : tan(run->p[slope]));
+    }
     if (tdmf_unmet_requirement(of, run) != 0) {
         return tdmf_give_up(member, TDMF_FATE_NO_START);
     }
-    const int64_t record = tdmf_open_record(member);
-    if (record >= 0) {
-        member->ensemble->strides[record].began = 1;
-    }
-    return true;
-}
-
-static bool changes(const tdmf_member *member) {
-    (void)member;
-    return true;
-}
-
-static bool closes(const tdmf_member *member, tdmf_run_outcome outcome) {
-    const tdmf_section_map map = {.model = member->model, .section = member->ensemble->section};
-    return tdmf_outcome_at_section(&map, member->run, outcome) == TDMF_RUN_STOPPED;
-}
-
-static bool begin_next(tdmf_member *member) {
-    prepare(member);
-    tdmf_apply_settings(member);
-    return start(member);
+    member->has_started = member->begins_anew;
+    run->stop_event = member->begins_anew ? section->event : member->ground.begins;
+    return !member->begins_anew || tdmf_begin_stride(member);
 }
 
 static bool ends_elsewhere(tdmf_member *member, tdmf_run_outcome outcome) {
@@ -157,22 +155,14 @@ static bool ends_elsewhere(tdmf_member *member, tdmf_run_outcome outcome) {
 
 /* ---- results ------------------------------------------------------------------------------------------- */
 
-static void record_apex(tdmf_member *member) {
-    const tdmf_section_kind *section = section_of(member->ensemble);
-    for (int i = 0; i < section->count; ++i) {
-        member->end->apex[i] = member->run->x[section->coordinates[i]];
-    }
-    member->end->time += member->run->time;
-}
-
 static void record_stride(const tdmf_member *member, const tdmf_ensemble_end *before,
                           tdmf_ensemble_stride *record) {
-    (void)before;
     const tdmf_ensemble_notes *notes = member->ensemble->notes;
     const tdmf_page_run *run = member->run;
     const int64_t number = tdmf_open_record(member);
     memcpy(record->apex, member->end->apex, sizeof record->apex);
-    record->stride.period = run->time;
+    record->foot_x = member->end->foot_x;
+    record->stride.period = member->begins_anew ? run->time : run->time - before->time;
     for (int i = 0; notes && i < notes->count; ++i) {
         notes->values[number * notes->count + i] = run->x[notes->states[i]];
     }
@@ -183,21 +173,13 @@ static void record_stride(const tdmf_member *member, const tdmf_ensemble_end *be
 }
 
 static void scales(const tdmf_member *member, double of[TDMF_POINT_LIMIT]) {
-    const tdmf_section_kind *section = section_of(member->ensemble);
-    double of_events[TDMF_PAGE_EVENT_LIMIT];
-    /* The states held are restored where the next stride begins. */
-    member->model->scales(member->run->p, member->held, of_events);
-    for (int i = 0; i < section->count; ++i) {
-        of[i] = member->held[section->coordinates[i]];
+    double of_ground[TDMF_PLACE_LIMIT], of_events[TDMF_PAGE_EVENT_LIMIT];
+    /* Where strides begin anew, the states held are restored with the next one. */
+    double *of_states = member->begins_anew ? member->held : of_ground;
+    member->model->scales(member->run->p, of_states, of_events);
+    for (int i = 0; i < member->section->count; ++i) {
+        of[i] = of_states[member->section->coordinates[i]];
     }
-}
-
-static void save(const tdmf_member *member, tdmf_ensemble_checkpoint *checkpoint) {
-    (void)member, (void)checkpoint; /* the end has all of it */
-}
-
-static void load(tdmf_member *member, const tdmf_ensemble_checkpoint *checkpoint) {
-    (void)member, (void)checkpoint;
 }
 
 static const tdmf_member_kind kind = {
@@ -206,22 +188,17 @@ static const tdmf_member_kind kind = {
     .is_checkpoint = is_checkpoint,
     .range = range,
     .coordinates = coordinates,
+    .numbers = numbers,
+    .place = place,
     .model = model,
     .is_plain = is_plain,
     .settle_in = settle_in,
     .longest_stride = longest_stride,
     .prepare = prepare,
-    .set = set,
     .start = start,
-    .changes = changes,
-    .closes = closes,
-    .begin_next = begin_next,
     .ends_elsewhere = ends_elsewhere,
-    .record_apex = record_apex,
     .record_stride = record_stride,
     .scales = scales,
-    .save = save,
-    .load = load,
 };
 
 const tdmf_member_kind *tdmf_kind_of(const tdmf_ensemble *ensemble) {

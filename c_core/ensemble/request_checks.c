@@ -156,11 +156,11 @@ static bool are_balls(tdmf_refusal *why, const tdmf_ball *balls, int count) {
 static bool is_case(tdmf_refusal *why, const tdmf_ensemble *ensemble, int number) {
     const tdmf_ensemble_case *its_case = &ensemble->cases[number];
     const tdmf_ensemble_rules *rules = &its_case->rules;
-    const bool is_accepted = tdmf_kind_of(ensemble)->is_case(why, its_case, ensemble) &&
+    const bool is_accepted = (rules->law == NULL || is_law(why, rules->law, ensemble)) &&
+                             tdmf_kind_of(ensemble)->is_case(why, its_case, ensemble) &&
                              tdmf_accepts_array(why, "cases[].rules.gaits", rules->gaits,
                                                 "cases[].rules.gait_count", rules->gait_count, INT_MAX) &&
-                             are_balls(why, rules->balls, rules->gait_count) &&
-                             (rules->law == NULL || is_law(why, rules->law, ensemble));
+                             are_balls(why, rules->balls, rules->gait_count);
     if (!is_accepted && strncmp(why->variable, "cases[]", strlen("cases[]")) == 0) {
         why->index = number;
     }

@@ -26,9 +26,3 @@ int tdmf_setting_of(const char *name) {
     }
     return -1;
 }
-
-void tdmf_write_setting(int setting, double value, tdmf_parameters *parameters, tdmf_inputs *inputs) {
-    const bool is_parameter = setting < TDMF_PARAMETER_COUNT;
-    char *values = is_parameter ? (char *)parameters : (char *)inputs;
-    memcpy(values + tdmf_setting_range(setting)->offset, &value, sizeof value);
-}

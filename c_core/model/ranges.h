@@ -17,6 +17,7 @@ typedef struct {
     double start;
     bool continuous; /* may change between events */
     bool at_events;  /* may change at events */
+    int place;       /* number on the runner's page: of a parameter, or of a state counted on from there */
     size_t offset;   /* offset of the value in tdmf_parameters or tdmf_inputs; not used for states */
 } tdmf_range;
 

@@ -157,7 +157,7 @@ def range_row(row, offset):
     changes = [row.variability == "continuous", row.variability != "fixed"]
     numbers = f"{float(least)!r}, {float(most)!r}, {float(row.start)!r}"
     flags = ", ".join(str(change).lower() for change in changes)
-    return f'    {{"{row.name}", "{row.unit}", {numbers}, {flags}, {offset}}},'
+    return f'    {{"{row.name}", "{row.unit}", {numbers}, {flags}, {row.offset}, {offset}}},'
 
 
 def ranges(unit):

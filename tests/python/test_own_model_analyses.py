@@ -220,12 +220,8 @@ def test_derivatives_of_a_run_from_the_start_are_the_closed_form(ball):
 
 
 def test_what_needs_the_package_s_own_models_says_so(my_runner, ball):
-    with pytest.raises(InputError, match="rare_falls needs a model of the package itself; allowed for it"):
-        tdmf_slip.rare_falls(my_runner, 0.3)
     with pytest.raises(InputError, match="needs a model of the package itself; allowed for it"):
         tdmf_slip.prove(my_runner)
-    with pytest.raises(InputError, match="by the model my_runner; allowed: by the full model"):
-        tdmf_slip.strides_to_fall(my_runner, 0.3, 10, 1, 5)
     with pytest.raises(InputError, match=r"stiffness.* is neither an argument nor a variable"):
         find_gait(ball, stiffness=1)
     with pytest.raises(InputError, match="push cannot change in a run; allowed: none; a page declares"):

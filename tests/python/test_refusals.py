@@ -201,7 +201,7 @@ REFUSED = [
     (lambda r, g: Batch(r, g.apex, RoughGround(segment_length=1.0)).run(1, g), "gaits on a terrain"),
     (
         lambda r, g: Batch(Runner(model="reduced"), [1.4, 1.05], RoughGround(friction_spread=0.1)),
-        "by the reduced map",
+        "ground: the reduced map has no ground that varies",
     ),
     (lambda r, g: tdmf_slip.rare_falls(r, RoughGround(0.1, segment_length=1.0), gait=g), "segment_length"),
     (lambda r, g: Profile([0.0, 1.0], [0.0]), "equally long"),

@@ -22,6 +22,10 @@ int tdmf_event_in_whole(const tdmf_page_part *part, int own) {
     return place_in(part->events, own);
 }
 
+int tdmf_parameter_on_part(const tdmf_page_part *part, int of_whole) {
+    return place_of(part->parameters, part->model->parameter_count, of_whole);
+}
+
 int tdmf_state_on_part(const tdmf_page_part *part, int of_whole) {
     return place_of(part->states, part->model->state_count, of_whole);
 }

@@ -20,6 +20,7 @@ int tdmf_mode_in_whole(const tdmf_page_part *part, int own); /* -1: there is non
 int tdmf_event_in_whole(const tdmf_page_part *part, int own);
 
 /* The place on the part for one on the whole page; -1: the part has none. */
+int tdmf_parameter_on_part(const tdmf_page_part *part, int of_whole);
 int tdmf_state_on_part(const tdmf_page_part *part, int of_whole);
 int tdmf_mode_on_part(const tdmf_page_part *part, int of_whole);
 int tdmf_event_on_part(const tdmf_page_part *part, int of_whole);

@@ -145,7 +145,7 @@ typedef struct {
 
 /* A checkpoint: where a runner stands after `max_strides`, so that a later call can go on from there. Its
  * content is for the library only. */
-enum { TDMF_CHECKPOINT_STATES = 112 };
+enum { TDMF_CHECKPOINT_STATES = 128 };
 typedef struct {
     bool stands; /* true while the runner can go on; false if its run is over */
     int parameter_count, state_count, mode_count, event_count; /* sizes of its model */
@@ -236,6 +236,9 @@ typedef struct {
     int64_t begun;           /* runners that have begun, from the first one on; the others have no end */
 } tdmf_ensemble_work;
 
+/* Returns whether the page has the ground of the runner's page, which may vary in an ensemble. */
+TDMF_API bool tdmf_page_has_ground(const tdmf_page *page);
+
 /* Runs all runners and writes the end of each into `ends`. An end depends neither on the runner's neighbours
  * nor on the number of threads. `work`, which may be NULL, receives the work done.
  *
@@ -253,7 +256,7 @@ typedef struct {
  *   - heights of rough ground, or a friction that is drawn, are also settings;
  *   - a segment of terrain has a length that is not finite or below TDMF_MIN_SEGMENT l0, or a height that is
  *     not finite or beyond 1e9 m;
- *   - a page, which has no drawn ground and no terrain, is given one;
+ *   - a model whose ground cannot vary is given drawn ground, a terrain or positions of feet;
  *   - terrain comes with a slope, a push, gaits to settle on, the reduced map, or settings of height, slope
  * or push;
  *   - a number of a law or a ball is beyond 1e100, or a law's limits are not a range;

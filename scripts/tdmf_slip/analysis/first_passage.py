@@ -19,7 +19,7 @@ from ..errors import InputError
 from ..library.batch import Batch
 from ..library.engine import FELL, UNDECIDED, UNSOLVED
 from ..library.gait import Gait, check_is_gait
-from ..library.ground import RoughGround
+from ..library.ground import RoughGround, check_has_ground
 from ..library.laws import Law, numbers_up_to
 from ..library.runner import Runner
 from ..library.settings import checked_values
@@ -201,7 +201,7 @@ def strides_to_fall(
     Raises
     ------
     InputError
-        A value is not allowed, the runner goes by the reduced map, or the law does not fit it.
+        A value is not allowed, the ground of the model cannot vary, or the law does not fit it.
     RunError
         There is no gait to start from, or see `run_blocks`.
 
@@ -238,12 +238,9 @@ def strides_to_fall(
 
 
 def rough_start(runner: RunnerLike, gait: Gait | None) -> tuple[Runner, Gait]:
-    """A runner of the full model, and the gait from which it starts, found without a patch of ground."""
+    """A runner whose ground may vary, and the gait from which it starts, found without a patch of ground."""
     runner = Runner(runner)
-    if runner.reduced:
-        raise InputError(
-            "runner: goes by the reduced map, which has no rough ground; allowed: by the full model"
-        )
+    check_has_ground(runner.model, "runner")
     if gait is not None:
         check_is_gait(gait, "gait")
         return runner, gait

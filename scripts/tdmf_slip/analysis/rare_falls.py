@@ -40,7 +40,7 @@ from ..library.return_map import refuse_patch
 from ..library.runner import Runner
 from ..record import entries
 from ..terminal.progress import progress_bar
-from ..variables.parameters import RunnerLike, refuse_own
+from ..variables.parameters import RunnerLike
 from .attraction import CONFIDENCE
 from .ball import TOLERANCE
 from .first_passage import Falls, rough_start
@@ -338,7 +338,7 @@ def rare_falls(
     Raises
     ------
     InputError
-        A value is not allowed, the runner goes by the reduced map, or the law does not fit it.
+        A value is not allowed, the ground of the model cannot vary, or the law does not fit it.
     RunError
         There is no gait to start from, or no fall was seen on much rougher ground either.
 
@@ -350,7 +350,6 @@ def rare_falls(
     >>> low < rare.mean_strides < high
     True
     """
-    refuse_own(runner, "rare_falls")
     ground = roughness if isinstance(roughness, RoughGround) else RoughGround(roughness)
     _check_is_rough(ground)
     walkers = checked_whole("walkers", walkers, 8, MAX_WALKERS)

@@ -13,11 +13,11 @@ from ..checks import check_kind, check_size, checked_between, checked_threads, c
 from ..errors import InputError
 from ..given import is_series, numbers_by, row_of
 from ..variables.parameters import RunnerLike
-from ..variables.table import MODELS, Model, by_full_name, model_of
+from ..variables.table import Model, by_full_name, model_of
 from . import c_structs
 from .c_structs import WIDTH
 from .engine import LAST_STRIDE, instruction_sets
-from .ground import LAST_RUNNER, RoughGround
+from .ground import LAST_RUNNER, RoughGround, check_has_ground
 from .laws import AffineLaw, Law, check_law, numbers_up_to
 from .members import INPUTS
 from .page_model import PageModel
@@ -108,7 +108,6 @@ class Given:
         self.held: NDArray[Any]
         if isinstance(self.model, PageModel):
             self.models, self.held = page_numbers(runners, self.varied)
-            self.refuse_patches()
             return
         if len(runners) == 1:
             self.models = c_structs.viewed(self.runner.c_model, c_structs.MODEL)
@@ -193,22 +192,15 @@ class Given:
             counts[f"inputs: {name}"] = len(values)
 
     def _read_feet(self, foot_x: Any) -> NDArray[np.float64]:
-        if self.model is not MODELS["full"]:
-            what = (
-                "the reduced map, which has no foot"
-                if self.runner.reduced
-                else f"the model {self.model.name}"
-            )
-            raise InputError(f"foot_x: by {what}; allowed: by the full model")
+        check_has_ground(self.model, "foot_x")
         feet = np.atleast_1d(numbers_up_to("foot_x", foot_x, 1))
         return checked_values("foot.x", feet, "foot_x", {"runner": 0})
 
     def _check_law_and_ground(self) -> None:
         """Refuse what does not go together."""
         check_kind(self.ground, RoughGround, "ground", "a RoughGround")
-        if self.model is not MODELS["full"] and self.ground.is_drawn:
-            what = "reduced map" if self.runner.reduced else f"model {self.model.name}"
-            raise InputError(f"ground: rough, by the {what}; allowed: by the full model")
+        if self.ground.is_drawn:
+            check_has_ground(self.model, "ground")
         for runner in self.runners:
             self.ground.check_runner(runner, runner.scales)
         check_law(self.law, self.runner)

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..variables.table import MODELS, Model
+from ..variables.table import Model
 from .batch_given import Given
 from .engine import FATES, SETTLED, STOPPED, Engine
 from .laws import AffineLaw
@@ -150,7 +150,8 @@ def ends_table(batch: Given, engine: Engine, work: Mapping[str, int], recorded: 
             values = values[:, : batch.size]
         return values[0] if batch.is_single else values
 
-    names = PAGE_ENDS if batch.model.is_page else engine.ends.dtype.names or ()
+    of_page = (*PAGE_ENDS, "foot_x") if batch.model.has_ground else PAGE_ENDS
+    names = of_page if batch.model.is_page else engine.ends.dtype.names or ()
     dimensions = dict.fromkeys(names, over) | {"apex": (*over, "coordinate")}
     return Table(
         dimensions,
@@ -181,7 +182,7 @@ def recorded_table(batch: Given, engine: Engine, given: Mapping[str, NDArray[np.
         "fate": np.where(closed, CLOSED, ended[:, None]).astype(np.int8),
         "apex": np.concatenate([starts[:, None], next_apex[:, :-1]], axis=1),
         "next_apex": next_apex,
-        **{name: of(values) for name, values in _noted(batch.model, engine).items()},
+        **{name: of(values) for name, values in _noted(batch, engine).items()},
         "word": _words(batch.model, engine, closed),
     }
     if batch.ground.roughness:
@@ -196,20 +197,26 @@ def recorded_table(batch: Given, engine: Engine, given: Mapping[str, NDArray[np.
     return Table(dimensions, arrays.__getitem__, lambda: labels, about_of(batch.model), batch.runner.record)
 
 
-def _noted(model: Model, engine: Engine) -> Mapping[str, NDArray[Any]]:
+def _noted(batch: Given, engine: Engine) -> Mapping[str, NDArray[Any]]:
     """Quantities of recorded strides, shape (runners, strides), by name."""
-    recorded = engine.recorded
+    model, recorded = batch.model, engine.recorded
     assert recorded is not None
-    if isinstance(model, PageModel):
-        assert engine.notes is not None
-        values = engine.notes.values.reshape(*recorded.shape, -1)
-        return {
-            name: recorded["stride"]["period"] if state is None else values[..., model.noted[state]]
-            for name, state in model.quantity_states.items()
-        }
-    found = {name: recorded["stride"][name] for name in STRIDE_QUANTITIES}
-    found |= {name: recorded[name] for name in (*LEDGER, "liftoff_angle")}
-    return found if model is MODELS["reduced"] else {**found, FOOT_X: recorded["foot_x"]}
+    place = {FOOT_X: recorded["foot_x"]} if model.has_ground else {}
+    if not isinstance(model, PageModel):
+        found = {name: recorded["stride"][name] for name in STRIDE_QUANTITIES}
+        return found | {name: recorded[name] for name in (*LEDGER, "liftoff_angle")} | place
+    assert engine.notes is not None
+    values = engine.notes.values.reshape(*recorded.shape, -1)
+
+    def noted(state: int) -> NDArray[np.float64]:
+        of_state = values[..., model.noted[state]]
+        if not model.has_ground or state not in model.totals:
+            return of_state
+        before = np.broadcast_to(batch.held[:, state], len(batch))
+        return np.diff(of_state, prepend=before[:, None])
+
+    states = model.quantity_states.items()
+    return {n: recorded["stride"]["period"] if state is None else noted(state) for n, state in states} | place
 
 
 def _words(model: Model, engine: Engine, closed: NDArray[np.bool_]) -> NDArray[np.str_]:

@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from ..checks import checked, checked_flag, checked_whole, number_in, path_of, shown
 from ..errors import InputError, reason
 from ..given import numbers_of, row_of
+from ..variables.table import MODELS, Model
 from .binding import c
 
 LARGEST = 1e9
@@ -176,6 +177,16 @@ class RoughGround:
         runner = checked_whole("runner", runner, 0, LAST_RUNNER)
         segments = runner + np.arange(checked_whole("count", count, 0, MAX_STEPS))
         return np.array(self.heights)[segments % len(self.heights)]
+
+
+def check_has_ground(model: Model, what: str) -> None:
+    """Refuse a model whose ground is one line everywhere."""
+    if not model.has_ground:
+        name = "reduced map" if model is MODELS["reduced"] else f"model {model.name}"
+        raise InputError(
+            f"{what}: the {name} has no ground that varies from place to place; allowed: the full model, and "
+            "models of one's own whose page is a subclass of tdmf_slip.pages.Runner"
+        )
 
 
 def read_heights(path: str) -> tuple[float, ...]:

@@ -76,6 +76,11 @@ class PageModel(Model):
         return True
 
     @property
+    def has_ground(self) -> bool:
+        """True if the page has the ground of `tdmf_slip.pages.Runner`."""
+        return bool(self.library.tdmf_page_has_ground(self.page))
+
+    @property
     def build(self) -> str:
         """The identity of the build, and the section of the return map."""
         if self.folder is None:
@@ -161,6 +166,11 @@ class PageModel(Model):
         numbers = [number for number in self.quantity_states.values() if number is not None]
         word = [self.state_numbers[WORD]] if self.letters else []
         return {number: column for column, number in enumerate(dict.fromkeys([*numbers, *word]))}
+
+    @cached_property
+    def totals(self) -> frozenset[int]:
+        """Numbers of the states that count from the start of a run, which a quantity of a stride does not."""
+        return frozenset(n for name, n in self.state_numbers.items() if name.startswith(OF_ENERGY))
 
     def words(self, codes: Iterable[float], events: Iterable[Iterable[int]]) -> list[str]:
         """Words of strides: texts whose letters are the digits of numbers, or names of events."""

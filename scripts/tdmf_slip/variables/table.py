@@ -156,6 +156,11 @@ class Model:
         return False
 
     @property
+    def has_ground(self) -> bool:
+        """True if the ground may vary from place to place, so that runs go on from apex to apex."""
+        return self is MODELS["full"]
+
+    @property
     def build(self) -> str:
         """The build and the section of a model of one's own, by which results find it again; else empty."""
         return ""
