@@ -117,9 +117,25 @@ def test_gains_of_a_scaled_runner_are_scaled():
         sizes = np.array([1.0, energy, energy * time])
         expected = np.asarray(ours.gain) * sizes[:, None] / runner.scales
         assert np.asarray(theirs.gain) == pytest.approx(expected, rel=1e-6, abs=1e-9 * np.abs(expected).max())
+        ours, theirs = (
+            apex_covariance(dataclasses.replace(law, noise=1e-3 * of.scales), 1e-2 * of.scales[0])
+            for law, of in ((ours, usual), (theirs, runner))
+        )
+        sizes = np.outer(runner.scales, runner.scales)
+        assert theirs / sizes == pytest.approx(ours, rel=1e-6, abs=1e-9 * ours.max())
 
 
 # ---- controllability ---------------------------------------------------------------------------------------
+
+
+def test_a_setting_moves_a_mode_by_the_left_eigenvector_of_the_whole_jacobian():
+    gait = find_gait(friction=0.43)
+    model, found = (make(gait, [ANGLE, TORQUE]) for make in (linearize, controllability))
+    values, left = np.linalg.eig(model.state_matrix.T)
+    order = np.argsort(-np.abs(values))[: len(found.eigenvalues)]
+    assert found.eigenvalues == pytest.approx(values[order], abs=1e-9)
+    expected = np.abs(left[:, order].T @ model.input_matrix)
+    assert found.modal_controllability == pytest.approx(expected, rel=1e-6)
 
 
 def test_controllability_is_reported_in_numbers(gaits):

@@ -1,5 +1,7 @@
 """Confidence of a fit: coverage of its intervals, priors, outliers, data left out, and other starts."""
 
+import math
+
 import numpy as np
 import pytest
 from conftest import RELEASE, release
@@ -212,9 +214,11 @@ def test_errors_are_scaled_by_the_residuals_on_request():
         assert estimate.high - estimate.value == pytest.approx(2.5706 * estimate.standard_error, rel=1e-4)
         intervals.append((estimate.low, estimate.high))
     assert intervals[0] == pytest.approx(intervals[1], rel=1e-4)
-    known = fit(None, data, ["hip.stance_torque"], profile=False).parameters["hip.stance_torque"]
+    plain = fit(None, data, ["hip.stance_torque"], profile=False)
+    known, factor = plain.parameters["hip.stance_torque"], math.sqrt(plain.chi_square / 5)
     scaled = fit(None, data, ["hip.stance_torque"], scale_errors=True).parameters["hip.stance_torque"]
     assert scaled.low < known.low < known.high < scaled.high and scaled.is_profiled
+    assert scaled.standard_error == pytest.approx(factor * known.standard_error, rel=1e-6)
     with pytest.raises(InputError, match="scale_errors"):
         fit(None, one_row({"speed": Measured(1.0, 0.1)}), ["hip.stance_torque"], scale_errors=True)
 

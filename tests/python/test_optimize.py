@@ -10,6 +10,7 @@ from tdmf_slip.library.fixed_point import gait_near
 from tdmf_slip.library.quantities import known_quantities
 from tdmf_slip.library.strides import strides_from
 from tdmf_slip.optimization.gaits import MINIMUM, Gaits, Space, spectrum_of
+from tdmf_slip.optimization.problem import Goal, Problem
 from tdmf_slip.variables.parameters import read_parameters
 
 STIFF = {"leg.stiffness": 2.0, "ground.friction": 0.6}
@@ -32,6 +33,7 @@ def test_gradients_are_those_of_differences_of_solved_gaits(runner, model):
     space, step = space_around(first), 3e-6  # the error of differences falls with its square
     gaits = Gaits(first.runner, space, known_quantities(first.runner), spectrum=True)
     gait = gaits.candidate(first, space.coordinates_of(first.runner))
+    below_a_radius = Problem(Goal("speed", radius=0.9), {}).margins
     for k, aside in enumerate(step * np.eye(4)):
         low, high = (
             gaits.candidate(gait_near(space.runner_at(first.runner, at), first.apex), at)
@@ -43,6 +45,8 @@ def test_gradients_are_those_of_differences_of_solved_gaits(runner, model):
         of_eigenvalues = (high.spectrum.sizes - low.spectrum.sizes) / (2.0 * step)
         counted = gait.spectrum.sizes > MINIMUM
         assert gait.spectrum.slopes[counted, k] == pytest.approx(of_eigenvalues[counted], abs=1e-4)
+        (below, _), (_, by), (above, _) = (below_a_radius(of) for of in (low, gait, high))
+        assert by[counted, k] == pytest.approx((above - below)[counted] / (2.0 * step), abs=3e-3)
         of_fold = (high.spectrum.fold - low.spectrum.fold) / (2.0 * step)
         assert gait.spectrum.fold_slopes[k] == pytest.approx(of_fold, abs=1e-4)
     assert gait.spectrum.sizes[0] == pytest.approx(first.lambda_max, rel=1e-12)
