@@ -125,6 +125,8 @@ def checked_between(name: str, value: object, low: float, high: float) -> float:
 
 def checked_whole(name: str, value: object, low: int, high: int) -> int:
     """A whole number within its range."""
+    if type(value) is int and low <= value <= high:
+        return value
     number = number_of(value)
     if number is not None and number.is_integer():
         whole = int(value) if isinstance(value, Integral) else int(number)  # a float beyond 2^53 is not exact

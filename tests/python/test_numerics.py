@@ -6,7 +6,7 @@ from itertools import pairwise
 import numpy as np
 import pytest
 from tdmf_slip.errors import InputError, RunError
-from tdmf_slip.numerics.following import halved, walk
+from tdmf_slip.numerics.following import Limits, Point, Problem, follow, halved, walk
 from tdmf_slip.numerics.newton import NotSolvedError, solve
 
 
@@ -157,3 +157,50 @@ def test_halving_finds_the_longest_step_that_succeeds():
     for step in (1.0, math.nan):
         with pytest.raises(RunError, match="too long"):
             halved(attempt, step, 0.26)
+
+
+class Graph(Problem):
+    """The graph of a function over the last unknown; it counts its residuals."""
+
+    def __init__(self, function, slope):
+        self.function, self.slope, self.residuals = function, slope, 0
+        self.scales, self.names = np.ones(2), ("t",)
+
+    def residual(self, x):
+        self.residuals += 1
+        return np.array([x[0] - self.function(x[1])])
+
+    def describe(self, x):
+        return None, np.array([[1.0, -self.slope(x[1])]])
+
+    def linearize(self, x):
+        return self.residual(x), self.describe(x)[1]
+
+
+def test_a_cubic_is_extrapolated_exactly():
+    graph = Graph(lambda t: t**3 - 2.0 * t, lambda t: 3.0 * t**2 - 2.0)
+    up = np.array([0.0, 1.0])
+    first, second = (graph.point(np.array([graph.function(t), t]), up) for t in (0.5, 0.6))
+    known = Point(second.x, second.tangent, None, second.rows, before=first)
+    for t in (0.55, 0.61, 0.64):
+        goal = np.array([graph.function(0.6) + (t - 0.6) * graph.slope(0.6), t])
+        assert known.extrapolated(goal, up) == pytest.approx([graph.function(t), t], abs=1e-14)
+        assert abs(graph.residual(goal)[0]) > 1e-4 and second.extrapolated(goal, up) is goal
+
+
+def test_what_the_cubic_promises_far_from_the_tangent_is_not_trusted():
+    graph = Graph(lambda t: 1e3 * t**3, lambda t: 3e3 * t**2)
+    up, goal = np.array([0.0, 1.0]), np.array([0.5, 0.3])
+    first, second = (graph.point(np.array([graph.function(t), t]), up) for t in (0.0, 0.1))
+    known = Point(second.x, second.tangent, None, second.rows, before=first)
+    assert known.extrapolated(goal, up) is goal
+
+
+def test_a_smooth_curve_takes_few_residuals_a_point():
+    graph = Graph(math.sin, math.cos)
+    start = graph.point(np.zeros(2), np.array([0.0, 1.0]))
+    limits = Limits(np.zeros(1), np.ones(1), max_step=0.003, first_step=0.003)
+    points, ended = follow(graph, start, 1.0, limits)
+    assert ended == "edge of the ranges" and len(points) > 100
+    assert all(abs(point.x[0] - math.sin(point.x[1])) < 1e-13 for point in points)
+    assert graph.residuals < 2.5 * len(points)  # along the tangent alone it takes 3.6

@@ -23,7 +23,7 @@ OPPOSITE = -0.5
 """Cosine of the angle by which the way between the halves of a gait turns where they swap places."""
 ASIDE = 0.25
 """Distance of a solution from the middle between two others, over their distance, that makes it doubtful."""
-COARSE, BORDER_ACCURACY = 1e-8, 1e-11
+COARSE, BORDER_ACCURACY = 1e-10, 1e-11
 """Lengths of branch, over the scales, within which a border is located: first by the words of plain strides,
 which may be others right beside it, then by those of strides with derivatives."""
 MAX_HALVINGS = 100

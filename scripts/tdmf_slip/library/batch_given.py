@@ -154,8 +154,6 @@ class Given:
                 rows = np.array([_start_of(given, runner) for given, runner in pairs])
             else:
                 rows = _start_of(runners[0] if isinstance(runners, list | tuple) else runners, self.runner)
-        elif type(apices) is np.ndarray and apices.dtype == float:
-            rows = apices
         else:
             rows = numbers_by("apices", apices, names)
         if rows.ndim not in (1, 2) or rows.shape[-1] != self.size:

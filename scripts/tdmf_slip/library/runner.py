@@ -1,5 +1,7 @@
 """Runners as the C library takes them."""
 
+from __future__ import annotations
+
 from collections.abc import Iterator, Mapping
 from functools import cache, cached_property
 from operator import itemgetter
@@ -289,7 +291,7 @@ class Runner(Mapping[str, Value]):
         varied: bool = False,
         along: Along | None = None,
         is_reported: bool = False,
-    ) -> "Strides":
+    ) -> Strides:
         """One stride from an apex; with `is_reported` also its events and the measured quantities.
 
         With `varied` it is differentiated by the coordinates, and along a direction if one is given. Measured

@@ -30,6 +30,8 @@ RETURNED = 1e-3
 """Share of a step: Newton's method that comes as near to a known point would find it."""
 ON_EDGE = 1e-9
 """Share of a range: a point this near to an end of the range is on the edge."""
+TRUSTED = 0.1
+"""Largest distance of an extrapolated point from the tangent, over the step."""
 BESIDE = 0.5
 """Share of a step: the step does not pass points farther from its straight way."""
 BEYOND = (1e-6, 3e-6, 1e-5, 3e-5, 1e-4, 3e-4, 1e-3, 3e-3, 1e-2)
@@ -59,6 +61,8 @@ class Point:
     """Solution at the point as the problem describes it, such as a `Gait`."""
     rows: Matrix
     """Jacobian of the residual, shape (n - 1, n)."""
+    before: Point | None = None
+    """Point before it on the curve, from which the next one is extrapolated."""
 
     @property
     def rises(self) -> bool:
@@ -72,6 +76,23 @@ class Point:
     def along(self, direction: Vector) -> Point:
         """The same point with its tangent along a direction."""
         return self if self.tangent @ direction >= 0.0 else self.reversed()
+
+    def extrapolated(self, goal: Vector, across: Vector) -> Vector:
+        """Where the cubic through the point before and this one meets the plane across a direction at a goal.
+
+        The goal itself where that is farther off than a step may lead.
+        """
+        if self.before is None:
+            return goal
+        way = self.before.x - self.x
+        length, reach = across @ way, across @ (goal - self.x)
+        with np.errstate(divide="ignore", invalid="ignore"):  # where a tangent is in the plane
+            slope, slope_before = (one.tangent / (across @ one.tangent) for one in (self, self.before))
+            share, off = reach / length, way - length * slope
+            turn = length * (slope_before - slope)
+            bend = 3.0 * off - turn + share * (turn - 2.0 * off)
+            guess: Vector = self.x + reach * slope + share**2 * bend
+        return guess if np.linalg.norm(guess - goal) <= TRUSTED * abs(reach) else goal
 
 
 @dataclass(frozen=True, eq=False)
@@ -104,13 +125,15 @@ class Limits:
 
         The step is zero on an edge that the curve leads beyond.
         """
-        rates = (last.tangent * problem.scales)[-len(self.low) :]
-        edges = np.where(rates > 0.0, self.high, self.low)
-        way = edges - problem.values(last.x)
-        way[np.abs(way) <= ON_EDGE * (self.high - self.low)] = 0.0
-        steps = np.divide(way, rates, out=np.full(len(way), np.inf), where=rates != 0.0)
-        number = int(np.argmin(steps))
-        return float(steps[number]), number, float(edges[number])
+        found = np.inf, 0, float(self.low[0])
+        rates = (last.tangent * problem.scales)[-len(self.low) :].tolist()
+        for number, (rate, value) in enumerate(zip(rates, problem.values(last.x).tolist(), strict=True)):
+            low, high = float(self.low[number]), float(self.high[number])
+            edge = high if rate > 0.0 else low
+            way = 0.0 if abs(edge - value) <= ON_EDGE * (high - low) else edge - value
+            if rate != 0.0 and way / rate < found[0]:
+                found = way / rate, number, edge
+        return found
 
     def include(self, problem: Problem, point: Point) -> bool:
         """True if a point is in the ranges."""
@@ -180,26 +203,31 @@ class Problem:
         known, rows = self.describe(x)
         return Point(x, np.linalg.svd(rows)[2][-1], known, rows).along(along)
 
-    def solution(self, goal: Vector, across: Vector, rows: Matrix | None) -> Vector:
+    def solution(
+        self, goal: Vector, across: Vector, rows: Matrix | None, guess: Vector | None = None
+    ) -> Vector:
         """The solution near a goal on the plane across a direction, or on several, by damped or whole steps.
 
-        `across` has the shape (n,) or (k, n); `rows` are a Jacobian from nearby. RunError where there is no
-        solution, InputError where the goal itself is not allowed.
+        `across` has the shape (n,) or (k, n); `rows` are a Jacobian from nearby. The damped steps begin at
+        the guess, by default the goal. RunError where there is no solution, InputError where the guess itself
+        is not allowed.
         """
         plane = _OnPlane(self, goal, across)
         near = None if rows is None else np.vstack([rows, across])
+        guess = goal if guess is None else guess
         try:
-            return solve(plane, goal, jacobian=near, iterations=ITERATIONS, shortenings=SHORTENINGS).x
+            return solve(plane, guess, jacobian=near, iterations=ITERATIONS, shortenings=SHORTENINGS).x
         except RunError:
             return solve(plane, goal, iterations=ITERATIONS, shortenings=0).x
 
     def correct(self, goal: Vector, across: Vector, near: Point | None = None) -> Point:
         """The curve's point near a goal on the plane across a direction; its tangent goes along it.
 
-        The Jacobian of a point that is near may save some evaluations.
+        A point that is near, by its Jacobian and where the curve leads from it, may save some evaluations.
         """
+        rows, guess = (None, goal) if near is None else (near.rows, near.extrapolated(goal, across))
         try:
-            return self.point(self.solution(goal, across, None if near is None else near.rows), across)
+            return self.point(self.solution(goal, across, rows, guess), across)
         except RunError as problem:
             raise RunError(f"no gait near {self.where(goal)}: {problem}") from None
 
@@ -331,7 +359,8 @@ def next_point(
             raise RunError(f"the branch turns sharply at {problem.where(last.x)}")
         if not problem.leads_back(following, last):
             raise RunError(f"from {problem.where(last.x)} no gait is found that leads back to it")
-        return following, off
+        is_smooth = problem.label(following.gait) == problem.label(last.gait)
+        return replace(following, before=replace(last, before=None) if is_smooth else None), off
 
     (following, off), step = halved(attempt, min(step, longest, to_edge), 0.5 * SHORTEST_STEP)
     return following, min(longest, (1.5 if off < 0.1 * step else 1.0) * step)
