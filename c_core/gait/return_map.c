@@ -67,7 +67,7 @@ bool tdmf_is_sound_stride(tdmf_refusal *why, const tdmf_stride_request *request)
                            "the reduced map has no place of the foot") &&
            tdmf_accepts_if(why, request->foot_x != NULL || !tdmf_has_patch(request->system.model),
                            TDMF_EXCLUDED, "ground.patch_end", 0,
-                           "on a patch of ground a stride depends on foot_x");
+                           "on a slippery patch a stride depends on foot_x");
 }
 
 double tdmf_longest_of(const tdmf_stride_request *request) {
@@ -103,7 +103,7 @@ const char *tdmf_return_outcome_text(tdmf_return_outcome outcome) {
     case TDMF_RETURN_NO_STANCE:
         return "the impact leaves the foot without load";
     case TDMF_RETURN_TOO_LONG:
-        return "no stride closes in the time that it may take";
+        return "no stride was completed within the time limit";
     case TDMF_RETURN_NO_APEX:
         return "the centre of mass does not rise at lift-off";
     case TDMF_RETURN_FELL:

@@ -120,7 +120,7 @@ def test_the_unit_settles_on_its_reference_and_a_drift_is_seen():
         ("", ["header", "nothing"]),
         ("time,ground.friction\n", ["header", "rows"]),
         ("time,ground.friction,ground.friction\n0,1,2\n", ["each once"]),
-        ("time,ground.friction\n0,1\n5\n", ["line 3", "1 numbers", "2"]),
+        ("time,ground.friction\n0,1\n5\n", ["line 3", "1 of the 2 columns"]),
         ("time,ground.friction\n0,high\n", ["line 2", "high"]),
         ("time,ground.friction\nearly,1\n", ["line 2", "early"]),
         ("time,hip.external_torque\n0,1 kg\n", ["line 2", "kg", "N.m"]),

@@ -257,7 +257,7 @@ def test_no_gait_blames_what_was_changed(driver, address):
     assert "friction" not in text and text.endswith("With ground.slope = 40°.")
     driver.execute_script("tdmfSlip.choose({ name: 'ice', values: { 'ground.friction': 0 } })")
     press(driver, "find")
-    wait(driver, f"{hint('gait-hint')}.includes('nothing fixes')", "the other reason")
+    wait(driver, f"{hint('gait-hint')}.includes('none is isolated')", "the other reason")
 
 
 @pytest.mark.parametrize("end", [-50, 50], ids=["no patch", "patch"])

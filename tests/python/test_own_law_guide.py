@@ -23,7 +23,7 @@ def test_the_guide_s_commands_are_those_that_there_are(command, tmp_path, monkey
     assert status == 0 and not err
     names = ("README.md", "page.py", "parameters.toml", "test_my_runner.py")
     assert out.split() == [str(tmp_path.joinpath("my_runner", name).relative_to(tmp_path)) for name in names]
-    assert "is there already" in command.refusal(*COMMANDS[0].split())
+    assert "exists already" in command.refusal(*COMMANDS[0].split())
 
 
 def test_the_guide_s_code_and_the_folder_s_test_run(tmp_path, monkeypatch):

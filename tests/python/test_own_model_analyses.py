@@ -170,7 +170,7 @@ def test_a_simulation_of_the_ball_by_its_unit_is_its_parabolas(ball):
     assert run["energy"].values[after] == pytest.approx(0.64 * 9.81 * 2, abs=1e-6)
     steps = tdmf_slip.simulate(Runner(ball, push=0.0), stop_time=1.0, interface="cs", variables=["height"])
     assert "height" in steps and "energy" not in steps and steps.sizes["time"] == 1001
-    with pytest.raises(InputError, match=r"strides: the unit MyBall.fmu does not count them; allowed: stop_"):
+    with pytest.raises(InputError, match=r"strides: the unit MyBall.fmu does not count strides; give stop_"):
         tdmf_slip.simulate(ball, strides=3)
 
 

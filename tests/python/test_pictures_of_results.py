@@ -47,7 +47,9 @@ def test_a_dataset_that_is_not_whole_is_refused(gait):
         tdmf_slip.plot(made.drop_attrs())
     with pytest.raises(tdmf_slip.InputError, match=r"`result` is \[1\]; allowed: basin"):
         tdmf_slip.plot(made.assign_attrs(result=[1]))
-    with pytest.raises(tdmf_slip.InputError, match=r"incomplete strides: .*'fate'.*; allowed: all its"):
+    with pytest.raises(
+        tdmf_slip.InputError, match=r"incomplete strides: .*'fate'.*; allowed: one with all its"
+    ):
         tdmf_slip.plot(made.drop_vars("fate"))
     with pytest.raises(tdmf_slip.InputError, match=r"strides over 1 dimensions; allowed: 2, see"):
         tdmf_slip.plot(made.isel(stride=0))
@@ -207,7 +209,7 @@ def test_a_proved_attraction_bounds_the_distance_stride_by_stride():
     (axes,) = tdmf_slip.plot(proof).axes
     strides, bound = axes.lines[0].get_data()
     assert np.allclose(bound, 2e-3 * 0.5**strides) and axes.get_xlabel() == "strides"
-    with pytest.raises(tdmf_slip.InputError, match="nothing is proved, the word"):
+    with pytest.raises(tdmf_slip.InputError, match="the attraction is undecided, the word"):
         tdmf_slip.plot(Attraction(proved=False, values={}, undecided="the word"))
 
 

@@ -83,7 +83,7 @@ def test_a_proof_of_a_range_goes_on_from_its_file(span):
         tdmf_slip.prove({"ground.friction": "10"}, vary=vary, output=file).subintervals == proof.subintervals
     )
     assert file.read_text(encoding="utf-8") == text
-    with pytest.raises(InputError, match="there is no folder"):
+    with pytest.raises(InputError, match="does not exist"):
         tdmf_slip.prove(vary=vary, output=file.parent / "none" / "range.jsonl")
     with pytest.raises(InputError, match="not of this range"):
         tdmf_slip.prove(vary={"ground.friction": ("10", "10.1")}, output=file)

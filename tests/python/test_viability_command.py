@@ -46,7 +46,7 @@ def test_the_command_tells_of_the_gait_and_writes_a_controller(command, tmp_path
         assert float(row[ANGLE]) == law.inputs_at(apex)[ANGLE]
         assert row["grade"] == law.grade_at(apex)
     status, out, _ = command("viability", *wide, "--n", 12, "--gait")
-    assert status == 0 and "lead to the gait" in out and "of the cells" in out
+    assert status == 0 and "leads to the gait" in out and "of the cells" in out
 
 
 def test_the_picture_tells_the_three_kinds_of_cells_apart():

@@ -54,7 +54,7 @@ static const char *reason(const tdmf_orbit *orbit) {
     case TDMF_ORBIT_NO_START:
         return "there is no apex above the ground";
     case TDMF_ORBIT_NO_STRIDE:
-        return "no stride closes in the time that it may take";
+        return "no stride was completed within the time limit";
     default:
         return tdmf_outcome_text(orbit->stride.solver);
     }
@@ -91,16 +91,15 @@ bool live_find_gait(void) {
     live.message[0] = '\0';
     if (!(live.inputs.ground.friction > 0.0)) {
         snprintf(live.message, sizeof live.message,
-                 "ground.friction = 0: nothing fixes a runner's speed, so that no gait is one of its own; "
-                 "allowed for "
-                 "gaits: above 0");
+                 "ground.friction = 0: without friction a gait exists at every speed, so none is isolated; "
+                 "allowed for gaits: above 0");
         return false;
     }
     if (has_patch()) {
-        snprintf(
-            live.message, sizeof live.message,
-            "No gait was looked for: on a patch of ground a stride depends on where the foot is; allowed for "
-            "gaits: ground.patch_begin = ground.patch_end, which is none.");
+        snprintf(live.message, sizeof live.message,
+                 "No gait was searched for: on a slippery patch a stride depends on where the foot is; "
+                 "allowed for "
+                 "gaits: ground.patch_begin = ground.patch_end, for no patch.");
         return false;
     }
     const tdmf_stride_request request = request_by(&solver);

@@ -61,6 +61,14 @@ class Volume:
     coordinates: tuple[str, ...] = COORDINATES
     """Coordinates of the box that are drawn; the reduced map has two."""
 
+    def __repr__(self) -> str:
+        """The share that settles, with its interval, in one line."""
+        low, high = self.interval
+        return (
+            f"<Volume: {self.share:.4g} of the box settles ({low:.4g} to {high:.4g}), "
+            f"{self.settled:,} of {self.samples:,} starts>"
+        )
+
     @property
     def share(self) -> float:
         """Share of the samples that settle."""

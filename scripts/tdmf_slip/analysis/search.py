@@ -83,13 +83,13 @@ class Spread:
 
     def __str__(self) -> str:
         """A description of the starts that were tried."""
-        tried = f"{self.starts:,} starts all over the section, {self.strides:,} strides"
-        if not self.given_up:
-            return tried
-        return (
-            f"{tried} in {self.steps:,} steps with {self.events:,} events; {self.given_up:,} strides more "
-            "could not be followed, in most cases because they take too many steps"
-        )
+        made = f"{self.strides:,} strides"
+        if self.given_up:
+            made += (
+                f" in {self.steps:,} steps with {self.events:,} events; {self.given_up:,} more strides were "
+                "given up, most of them because they take too many steps"
+            )
+        return f"{self.starts:,} random starts ({made})"
 
 
 def starts_of(runner: Runner, count: int, seed: int = SEED) -> NDArray[np.float64]:
@@ -238,7 +238,7 @@ def periodic_gait(
         found, tried = _beyond_settling(runner, along)
         if found is None:
             raise GaitNotFoundError(
-                f"{problem}; {tried}: a guess near its apex helps where there is one"
+                f"{problem}; {tried}; if a gait exists, a guess near its apex may find it"
             ) from None
         return found if along in (None, found.along) else gait_near(runner, found.apex, along=along)
 
@@ -252,8 +252,8 @@ def _beyond_settling(runner: Runner, along: Along | None) -> tuple[Gait | None, 
     if spread.gaits:
         return spread.gaits[0], ""
     home = VARIABLES.start_of(FRICTION)
-    way = f"along the friction from {home:g}, nor " if runner.get(FRICTION, home) != home else ""
-    return None, f"none was found {way}from {spread}"
+    way = f"by continuation from friction {home:g}, nor " if runner.get(FRICTION, home) != home else ""
+    return None, f"nor was one found {way}from {spread}"
 
 
 def _along_friction(runner: Runner) -> Gait | None:

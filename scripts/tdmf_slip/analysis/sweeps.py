@@ -56,9 +56,21 @@ class Sweep(NamedTuple):
     """Values of the varied names where the word changes, and the words `before` and `after` in the order of
     the range, over `border`."""
 
+    def __repr__(self) -> str:
+        """The varied names, and the numbers of gaits and borders, in one line."""
+        words = self.gaits["word"]
+        found, count = int((words != "").sum()), words.size
+        gaits = f"{count}" if found == count else f"{found} of {count}"
+        names, borders = ", ".join(map(str, words.dims)), self.borders.sizes["border"]
+        return f"<Sweep over {names}: {gaits} gaits, {borders} borders>"
+
     def _repr_html_(self) -> str:
-        """Both datasets as boxes for a notebook."""
-        return f"gaits{self.gaits._repr_html_()}borders{self.borders._repr_html_()}"
+        """Both datasets as boxes for a notebook, with their attributes folded."""
+        import xarray
+
+        with xarray.set_options(display_expand_attrs=False):
+            boxes = {"gaits": self.gaits._repr_html_(), "borders": self.borders._repr_html_()}
+        return "".join(f"<p><b>{name}</b></p>{box}" for name, box in boxes.items())
 
 
 def sweep(

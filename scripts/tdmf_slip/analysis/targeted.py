@@ -235,8 +235,8 @@ def _checked_vary(vary: object, target: Mapping[str, float], model: Model) -> tu
     names = checked_names(vary, "vary", model)
     if len(names) < len(target):
         raise InputError(
-            f"vary: {', '.join(names) or 'nothing'} for {', '.join(target)}; allowed: at least as many "
-            f"parameters as are prescribed, {len(target)}"
+            f"vary: {', '.join(names) or 'nothing'} for the targets {', '.join(target)}; allowed: at least "
+            f"as many parameters as targets, {len(target)}"
         )
     return names
 
@@ -245,7 +245,7 @@ def _check_action(target: GaitProblem, iterate: Iterate) -> None:
     """Refuse parameters without an effect on the first gait, or with the same effect as others."""
     for name, column in zip(target.names, iterate.rows[:, target.count :].T, strict=True):
         if np.max(np.abs(column)) <= NO_ACTION:
-            raise InputError(f"vary {name}: has no effect on this gait; allowed: a parameter that has one")
+            raise InputError(f"vary {name}: has no effect on this gait; choose a parameter that does")
     sizes = np.linalg.svd(iterate.rows, compute_uv=False)
     if sizes[-1] <= NO_ACTION * sizes[0]:
         raise InputError(
@@ -265,11 +265,7 @@ def _not_met(target: GaitProblem, nearest: Iterate, helps: Sequence[Help]) -> Ta
         f"{name} = {quantity(runner[name], runner.label(runner.model.variables[name].unit), 6)}"
         for name in target.names
     )
-    tip = (
-        f"try: {'; '.join(map(str, helps[:3]))}"
-        if helps
-        else "no further parameter that was tried comes nearer"
-    )
+    tip = f"try: {'; '.join(map(str, helps[:3]))}" if helps else "varying one more parameter came no nearer"
     return TargetNotMetError(
         f"no gait with {wanted} was found by varying {', '.join(target.names)}; "
         f"the nearest one has {near}, at {at}; {tip}",

@@ -252,7 +252,9 @@ def new_folder(target: Path) -> Iterator[Path]:
     try:
         target.parent.mkdir(parents=True, exist_ok=True)
         if target.exists() and not (target / TABLE).exists() and any(target.iterdir()):
-            raise InputError(f"folder {target}: has other files in it; allowed: a new one, or one of a build")
+            raise InputError(
+                f"folder {target}: has other files in it; allowed: a new folder, or that of an earlier build"
+            )
         made = Path(tempfile.mkdtemp(prefix=f".{target.name}-", dir=target.parent))
     except OSError as problem:
         raise InputError(f"folder {target}: {reason(problem)}") from None

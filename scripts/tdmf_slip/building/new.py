@@ -46,7 +46,7 @@ def new(name: str | os.PathLike[str], *, start: str = "runner") -> Path:
     own = folder.name
     if not re.fullmatch(r"[a-z][a-z0-9_]{0,39}", own) or keyword.iskeyword(own):
         raise InputError(
-            f"new {shown(own)} is not allowed; allowed: a small letter, then up to 39 of a-z, 0-9, _"
+            f"new {shown(own)} is not allowed; allowed: a lower-case letter, then up to 39 of a-z, 0-9 and _"
         )
     words = {"my_model": own, "MyModel": "".join(part.capitalize() for part in own.split("_"))}
     try:
@@ -58,7 +58,7 @@ def new(name: str | os.PathLike[str], *, start: str = "runner") -> Path:
                 text, target = text.replace(word, its), target.replace(word, its)
             (folder / target).write_text(text, encoding="utf-8", newline="\n")
     except FileExistsError:
-        raise InputError(f"new {shown(str(folder))}: is there already; allowed: a new folder") from None
+        raise InputError(f"new {shown(str(folder))}: exists already; allowed: a new folder") from None
     except OSError as problem:
         raise InputError(f"new {shown(str(folder))}: {reason(problem)}") from None
     return folder

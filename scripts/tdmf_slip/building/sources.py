@@ -18,7 +18,7 @@ def page_file(given: object) -> Path:
     path = path / PAGE if path.is_dir() else path
     if not path.is_file():
         raise InputError(
-            f"page {shown(str(path))}: is not there; allowed: a folder with {PAGE}, or a file in Python"
+            f"page {shown(str(path))} does not exist; allowed: a folder with {PAGE}, or a Python file"
         )
     return path
 

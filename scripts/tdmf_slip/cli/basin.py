@@ -16,7 +16,7 @@ from ..terminal.text import columns, quantity
 from ..variables.display_units import DisplayUnits
 from ..variables.table import MODELS, VARIABLES
 from .command import Answer, command, option
-from .options import NewFile, ends_of
+from .options import NewFile, Number, ends_of
 from .runner import RunnerOptions
 from .workers import Workers
 
@@ -27,9 +27,9 @@ if TYPE_CHECKING:
 @command(
     "basin",
     option("--axes", "spans", multiple=True, metavar="NAME[=A:B]"),
-    option("--n", of=basin, kind=click.IntRange(2, MAX_ALONG)),
+    option("--n", of=basin, kind=Number(2, MAX_ALONG, whole=True), metavar="N"),
     option("--output", "path", of=basin, kind=NewFile(".nc"), metavar="FILE"),
-    option("--samples", kind=click.IntRange(0, 100_000_000), default=20000),
+    option("--samples", kind=Number(0, 100_000_000, whole=True), default=20000, metavar="N"),
     option("--ball", of=basin, kind=click.Choice((*CHOICES, "proved"))),
     option("--refine", of=basin, kind=click.Choice(REFINEMENTS)),
     workers=True,
@@ -94,11 +94,12 @@ def _stride_counts(data: "xarray.Dataset") -> dict[str, int]:
 
 def _axes(spans: tuple[str, ...], coordinates: Sequence[str]) -> dict[str, str]:
     """Ranges of --axes by name; an empty text stands for a range around the gait."""
-    if len(spans) not in (0, 2):
-        raise InputError(f"--axes is given {len(spans)} times; allowed: twice, or not at all")
     parts = [tuple(part.strip() for part in text.partition("=")) for text in spans or AXES]
+    check_axes([name for name, *_ in parts], coordinates)
+    if len(parts) != 2:
+        count = "once" if len(parts) == 1 else f"{len(parts)} times"
+        raise InputError(f"--axes is given {count}; allowed: twice, or not at all")
     (first, _, rows), (second, _, columns) = parts
-    check_axes((first, second), coordinates)
     if first == second:
         raise InputError(f"--axes {spans[1]}: {first} is given twice; allowed: once")
     return {first: rows, second: columns}

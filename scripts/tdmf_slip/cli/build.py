@@ -8,6 +8,7 @@ import click
 
 from ..building.build import build
 from ..building.compilers import TARGETS
+from ..building.sources import page_file
 from ..builds import TABLE
 from .command import Answer, command, option
 
@@ -23,13 +24,12 @@ PATH = click.Path(path_type=Path)
     runner=False,
 )
 def build_command(page: Path, folder: Path | None, platform: str | None, unit: bool) -> Answer:
-    """Make a library and FMI units of a page: of a folder with page.py, or of a file in Python.
+    """Build a C library and FMI units from a page: a folder with page.py, or a Python file.
 
-    Python loads the result by tdmf_slip.load_model.
+    In Python, tdmf_slip.load_model loads the result.
     """
-    print(
-        "tdmf-slip: deriving and compiling, for a page of the runner's size about a minute", file=sys.stderr
-    )
+    page_file(page)  # refuses a missing page before anything is announced
+    print("tdmf-slip: deriving and compiling; the runner's own page takes about a minute", file=sys.stderr)
     folder = build(page, folder, platform=platform, unit=unit)
     files = [str(path) for path in sorted(folder.iterdir())]
     table = json.loads((folder / TABLE).read_text(encoding="utf-8"))

@@ -128,8 +128,8 @@ def _runners(
     count = max(len(frictions), len(files))
     if count < 2 or any(len(given) not in (0, 1, count) for given in (frictions, files)):
         raise InputError(
-            f"--friction {len(frictions)} times, --parameters {len(files)} times; allowed: two runners or "
-            "more by either, or by as many of both"
+            f"{len(frictions)} of --friction and {len(files)} of --parameters; allowed: two or more of one "
+            "option, and none, one or as many of the other"
         )
     runners = []
     for number in range(count):

@@ -72,7 +72,7 @@ def continue_command(
     display = DisplayUnits(texts, runner)
     if len(spans) == 2:
         if output is not None:
-            raise InputError("--output: curves over two parameters have no file; allowed: with one --vary")
+            raise InputError("--output cannot hold curves over two parameters; allowed: with one --vary")
         return _curves(runner, spans, max_points, display)
     names = (*runner.coordinates, *reported_quantities(runner.reduced), "lambda_max")
     check_names([quantity], names, "--quantity")
@@ -177,6 +177,6 @@ def _branch_text(branch: "xarray.Dataset", display: DisplayUnits) -> str:
     began, ended = branch["branch_began"].item(), branch["branch_ended"].item()
     line = (
         f"{len(gaits)} gaits of {strides} stride{'s' if strides > 1 else ''}, {stable} of them stable, "
-        f"from {first:.8g} ({began}) to {last:.8g} ({ended})"
+        f"over {headed(name, display.unit(name))} from {first:.8g} ({began}) to {last:.8g} ({ended})"
     )
-    return "\n".join([line, table(header, rows)])
+    return "\n".join([line, table(header, rows) if rows else "no special points"])

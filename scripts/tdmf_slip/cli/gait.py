@@ -47,9 +47,9 @@ def gait_command(
     """
     target = targets_given(targets)
     if vary is not None and not target:
-        raise InputError(f"--vary {vary}: nothing is prescribed; allowed: with --target QUANTITY=VALUE")
+        raise InputError(f"--vary {vary} needs --target QUANTITY=VALUE, as in --target speed=1")
     if vary is None and target:
-        raise InputError("--vary is missing; allowed: with --target, at least as many names as prescribed")
+        raise InputError("--target needs --vary NAME,NAME, with at least as many names as targets")
     runner, names = options.runner(), names_given(vary)
     given = {name: value for name, (_, value) in options.given.items()}
     if target:

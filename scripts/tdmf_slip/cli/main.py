@@ -24,24 +24,23 @@ COMMANDS: Mapping[str, str] = {
     "animate": "Animate one stride of a runner's gait, in a loop.",
     "basin": "Compute the region of attraction of a gait: a map of a slice, its volume and its robustness.",
     "bench": "Time the solvers and the ensemble engine against other programs at equal accuracy.",
-    "build": "Make a library and FMI units of a page: of a folder with page.py, or of a file in Python.",
+    "build": "Build a C library and FMI units from a page: a folder with page.py, or a Python file.",
     "compare": "Match runners in speed, foot clearance or other quantities, to rule these out as causes.",
     "continue": "Follow a branch of gaits along a parameter, past folds, and locate its bifurcations.",
     "figures": "Draw the paper's figures and our own, each with its data as CSV.",
     "fit": "Fit parameters of the runner to measured gaits, with 95 % intervals.",
     "gait": "Find the periodic gait, stable or not, and the eigenvalues of its return map.",
-    "new": "Begin a page of your own: a folder with a page, parameters, a test and a README.",
+    "new": "Start a page of your own: a folder with a page, parameters, a test and a README.",
     "optimize": "Find the parameters within bounds whose gait minimizes or maximizes a quantity.",
     "prove": "Prove that exactly one gait lies in a box, with its word, stability and enclosures.",
     "rough": "Estimate the mean number of strides until a runner falls on rough ground, with its confidence "
     "interval.",
     "simulate": "Simulate one run of the FMI unit through FMPy.",
     "sweep": "Find gaits over a range of one or two parameters, and the borders between gait words.",
-    "validate": "Compare the paper's gaits and statements with both readings of (12); with --long also our "
-    "own claims.",
+    "validate": "Check the paper's gaits and statements by both readings of its swing law, and our claims.",
     "variables": "List every variable of the unit with its short name, unit, range, default and meaning.",
-    "viability": "Compute the viable set: the apices from which some choice of actions avoids a fall for "
-    "ever.",
+    "viability": "Compute the viable set: the apices from which some choice of actions avoids a fall "
+    "forever.",
 }
 """Summaries by the names of commands; each is the first sentence of the command's help."""
 MODULES = {"continue": "continuation"}
@@ -90,7 +89,7 @@ class LazyGroup(click.Group):
 )
 @click.version_option(package_name="tdmf-slip", prog_name="tdmf-slip")  # looked up when it is asked for
 def commands() -> None:
-    """Run the legged runner whose foot can slip, through its FMI unit."""
+    """Simulate and analyse a legged runner whose foot can slip."""
 
 
 def main(arguments: list[str] | None = None) -> int:

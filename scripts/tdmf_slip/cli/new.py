@@ -16,7 +16,7 @@ from .command import Answer, command, option
     as_json=False,
 )
 def new_command(folder: Path, start: str) -> Answer:
-    """Begin a page of your own: a folder with a page, parameters, a test and a README.
+    """Start a page of your own: a folder with a page, parameters, a test and a README.
 
     The folder's name is that of the model, as in my_runner.
     """

@@ -43,7 +43,7 @@ def ends_of(text: str, variable: Variable, where: str) -> tuple[float, float]:
     """Both ends of a range A:B of a variable, in its unit."""
     first, last, _ = range_of(text, variable, where, "A:B")
     if first == last:
-        raise InputError(f"{where} {text}: allowed: two ends that differ")
+        raise InputError(f"{where} {text}: both ends are equal; allowed: two different ends")
     return first, last
 
 
@@ -51,11 +51,9 @@ def values_of(text: str, spacing: str, variable: Variable, where: str) -> NDArra
     """The values of a variable that A:B:N stands for, in its unit."""
     first, last, count = range_of(text, variable, where, "A:B:N")
     if count == 1 and first != last:
-        raise InputError(
-            f"{where} {text}: one value cannot be A and B; allowed: N from 2 on, or B equal to A"
-        )
+        raise InputError(f"{where} {text}: one value cannot be both A and B; allowed: N of 2 or more")
     if spacing == "log" and min(first, last) <= 0.0:
-        raise InputError(f"{where} {text}: allowed with logarithmic spacing: A and B above 0")
+        raise InputError(f"{where} {text}: logarithmic spacing needs A and B above 0")
     return SPACINGS[spacing](first, last, count or 0)
 
 
@@ -65,7 +63,7 @@ def range_of(text: str, variable: Variable, where: str, *forms: str) -> tuple[fl
     if len(parts) not in {len(form.split(":")) for form in forms}:
         degrees = "deg" in variable.display_units
         example = ("'35 deg:45 deg'" if degrees else "0.1:1") + (":5" if forms == ("A:B:N",) else "")
-        raise InputError(f"{where} {text}: allowed: {' or '.join(forms)}, as in {example}")
+        raise InputError(f"{where} {text} is not a range; allowed: {' or '.join(forms)}, as in {example}")
     ends = first, further[0]
     if bool(units.split(ends[0])[1]) != bool(units.split(ends[1])[1]):
         raise InputError(f"{where} {text}: a unit at one end only; allowed: at both or at none")
@@ -167,7 +165,7 @@ def pairs_given(texts: Sequence[str], option: str, allowed: str) -> dict[str, st
     for text in texts:
         name, _, value = (part.strip() for part in text.partition("="))
         if not name or not value:
-            raise InputError(f"{option} {text}: allowed: {allowed}")
+            raise InputError(f"{option} {text} is not allowed; allowed: {allowed}")
         name = full_name(name)
         if name in given:
             raise InputError(f"{option} {text}: {name} is given twice; allowed: once")

@@ -65,7 +65,7 @@ def rough_command(
     segment_length
         Length, in m, of level segments at fixed places, each with its own height and friction.
     heights
-        File with the heights of the segments, in m, in place of --roughness. They repeat after the last
+        File with the heights of the segments, in m, instead of --roughness. They repeat after the last
         one.
     rare
         Use multilevel splitting, for rare falls. Not with --runners or --max-strides.

@@ -59,8 +59,8 @@ class RunnerOptions:
         for name, (option, _) in self.given.items():
             if name not in NAMES:
                 raise InputError(
-                    f"{option} {name}: has no meaning for gaits, which the library finds without the unit; "
-                    f"allowed: parameters and inputs of the model, and its state"
+                    f"{option} {name}: has an effect only in runs of the FMI unit; "
+                    f"allowed: parameters, inputs and states of the model"
                 )
         runner = Runner(starts, model=self.model)
         for name, (option, _) in self.given.items():

@@ -98,8 +98,8 @@ def sweep_command(
         return _grid(runner, values, output, workers)
     if workers.are_given:
         raise InputError(
-            "--workers, --scheduler: gaits along one range are found one after the other; allowed: with two "
-            "ranges, of --vary or --friction"
+            "--workers, --scheduler: one range is swept in sequence, each gait from the one before; allowed: "
+            "with two ranges, of --vary or --friction"
         )
     if output is not None and output.suffix.lower() == NETCDF:
         from ..files.resume import refuse_resumable  # xarray is slow to load
@@ -180,7 +180,7 @@ def _grid(
     if click.get_current_context().params.get("picture") is not None:
         raise InputError("--plot: a grid of gaits has no picture; allowed: with one range")
     if output is None or output.suffix.lower() != NETCDF:
-        raise InputError("--vary: a grid of gaits goes to a file; allowed: with --output FILE.nc")
+        raise InputError("--vary: a grid of gaits needs --output FILE.nc")
     with workers.executor() as executor:
         found = sweep(runner, vary, path=output, executor=executor, progress=True).gaits
     words = found["word"].values.ravel()

@@ -27,7 +27,7 @@ from .options import Number, program
 def validate_command(
     tolerance: float, pictures: Path | None, only_gaits: bool, own: bool, seed: int
 ) -> Answer:
-    """Compare the paper's gaits and statements with both readings of (12); with --long also our own claims.
+    """Check the paper's gaits and statements by both readings of its swing law, and our claims.
 
     The exit status is 1 if a computed value is too far from its recorded reference, or if a claim does not
     hold.

@@ -61,7 +61,7 @@ def viability_command(
     controller: Path | None,
     **given: Any,
 ) -> Answer:
-    """Compute the viable set: the apices from which some choice of actions avoids a fall for ever.
+    """Compute the viable set: the apices from which some choice of actions avoids a fall forever.
 
     Two sets bracket it on a grid of heights and speeds, one from inside and one from outside. Both are
     estimates. A cell that is only in the outer set is undecided.
@@ -126,7 +126,9 @@ def _axes_given(texts: Sequence[str]) -> dict[str, tuple[float, float]]:
     given = pairs_given(texts, "--axes", "NAME=A:B")
     for name in given:
         if name not in REDUCED:
-            raise InputError(f"--axes {name}={given[name]}: allowed: {' and '.join(REDUCED)}")
+            raise InputError(
+                f"--axes {name}={given[name]}: {name} is not allowed; allowed: {' and '.join(REDUCED)}"
+            )
     return {name: ends_of(span, VARIABLES[f"apex.{name}"], f"--axes {name}") for name, span in given.items()}
 
 
@@ -143,17 +145,17 @@ def _text(result: Mapping[str, Any]) -> str:
     rows = {
         "cells": " by ".join(map(str, result["cells"])),
         "actions": str(result["actions"]),
-        "strides": f"{result['strides']}, of which {result['closed']} close",
+        "strides": f"{result['strides']}, of which {result['closed']} reach a next apex",
         "viable": f"{100 * result['inner_share']:.2f} to {100 * result['outer_share']:.2f} % of the cells",
-        "actions that are": f"{100 * result['inner_robustness']:.2f} to "
-        f"{100 * result['outer_robustness']:.2f} % in the mean over all cells",
-        "factor": f"{result['factor']:g}, of the derivatives at corners (an estimate)",
+        "viable actions": f"{100 * result['inner_robustness']:.2f} to "
+        f"{100 * result['outer_robustness']:.2f} %, mean over all cells",
+        "safety factor": f"{result['factor']:g} on the derivatives at the corners of cells",
     }
     if "reached" in result:
         reached, drop = result["reached"], result["largest_drop"]
         rows |= {
-            "lead to the gait": f"{100 * reached['inner_share']:.2f} to {100 * reached['outer_share']:.2f} % "
-            f"of the cells, from inside in up to {reached['inner_strides']} strides",
-            "drop at its apex": " to ".join("none" if m is None else f"{m:.3g} m" for m in drop.values()),
+            "leads to the gait": f"{100 * reached['inner_share']:.2f} to {100 * reached['outer_share']:.2f} "
+            f"% of the cells, in at most {reached['inner_strides']} strides in the inner set",
+            "largest drop": " to ".join("none" if m is None else f"{m:.3g} m" for m in drop.values()),
         }
     return columns(rows)

@@ -79,8 +79,8 @@ def linearize(gait: Gait, inputs: Sequence[str]) -> Linearization:
         raise InputError(f"gait of {gait.strides} strides is not allowed; allowed: a gait of one stride")
     if not gait.error <= CLOSED:
         raise InputError(
-            f"gait whose next apex is {gait.error:.2g} of the scales away is not allowed; allowed: a gait, "
-            f"which leads back to within {CLOSED:g}, as find_gait gives"
+            f"gait whose next apex is {gait.error:.2g} of the scales away is not allowed; allowed: "
+            f"at most {CLOSED:g}, as in the gaits of find_gait"
         )
     runner = gait.runner
     names = _checked_names(inputs, runner.model)
@@ -92,7 +92,7 @@ def linearize(gait: Gait, inputs: Sequence[str]) -> Linearization:
     for name, moved in zip(names, np.max(np.abs(by_settings), axis=0), strict=True):
         if moved <= IDLE:
             raise InputError(
-                f"inputs: {name} has no effect on the next apex of this gait; allowed: inputs that have one"
+                f"inputs: {name} has no effect on the next apex of this gait; choose inputs that do"
             )
     return Linearization(
         gait=gait,
@@ -122,14 +122,13 @@ def _check_inside(runner: Runner, name: str) -> None:
         total = sum(runner.get(thrust, 0.0) for thrust in THRUSTS)
         if total <= 0.0:
             raise InputError(
-                f"inputs: {name} belongs to a thrust of {total:g} m at this gait, which is held at 0 and "
-                "above, so that it acts to one side only and its derivative is one-sided; allowed: a gait "
-                "with a thrust above 0"
+                f"inputs: {name} cannot be lowered at this gait, whose thrust is {total:g} m, so its "
+                "derivative is one-sided; allowed: a gait with a thrust above 0"
             )
     elif not variable.minimum < value < variable.maximum:
         raise InputError(
-            f"inputs: {name} = {value:g} at this gait is at the end of its range, so that it can be moved "
-            f"to one side only and its derivative is one-sided; allowed: inside {variable.allowed}"
+            f"inputs: {name} = {value:g} at this gait is at the end of its range, so its "
+            f"derivative is one-sided; allowed: inside {variable.allowed}"
         )
 
 
@@ -208,7 +207,7 @@ class Controllability:
         """One line: how many of the modes can be moved, by what, and how well."""
         return (
             f"<Controllability by {', '.join(self.inputs)}: {self.rank} of {len(self.eigenvalues)} modes, "
-            f"least over largest singular value {self.conditioning:.3g}>"
+            f"smallest over largest singular value {self.conditioning:.3g}>"
         )
 
     @property

@@ -92,7 +92,7 @@ class Feedback(AffineLaw):
         at = f"the gait {gait.word}{where}"
         return (
             f"<Feedback by {', '.join(self.inputs)} at {at}: largest eigenvalue {self.lambda_max:.4g}, "
-            f"{gait.lambda_max:.4g} without>"
+            f"{gait.lambda_max:.4g} without feedback>"
         )
 
     @property
@@ -449,8 +449,8 @@ def apex_covariance(feedback: Feedback, roughness: float = 0.0) -> NDArray[np.fl
     roughness = checked("roughness", roughness, 0.0, LARGEST)
     if feedback.lambda_max >= 1.0:
         raise InputError(
-            f"feedback whose closed loop has an eigenvalue of size {feedback.lambda_max:.6g} is not allowed: "
-            "the runner strays without end; allowed: below 1"
+            f"feedback with a closed-loop eigenvalue of magnitude {feedback.lambda_max:.6g} is not allowed, "
+            "because the covariance grows without bound; allowed: below 1"
         )
     model = feedback.linearization
     scales, coordinates = model.scales, model.gait.runner.coordinates

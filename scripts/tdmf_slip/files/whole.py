@@ -168,7 +168,7 @@ def check_destination(path: Path | str, allowed: Iterable[str] | None, what: str
         raise InputError(f"{what}: {path}: format {path.suffix or '(none)'}; allowed: {', '.join(allowed)}")
     resolved = destination(path, f"{what}: {path}")
     if not resolved.parent.is_dir():
-        raise InputError(f"{what}: {path}: there is no folder {resolved.parent}; allowed: one that is there")
+        raise InputError(f"{what}: {path}: the folder {resolved.parent} does not exist")
     check_folder(resolved.parent, what)
     return path
 

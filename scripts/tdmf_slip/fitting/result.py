@@ -225,8 +225,8 @@ class Fit:
         found = ", ".join(f"{e.label} = {e.value:.6g}" for e in self.estimates[:4])
         more = ", ..." if len(self.estimates) > 4 else ""
         return (
-            f"<Fit {found}{more}: chi square {self.chi_square:.4g}, "
-            f"{self.degrees_of_freedom} degrees of freedom>"
+            f"<Fit {found}{more}: chi square {self.chi_square:.4g} with "
+            f"{self.degrees_of_freedom} degree{'' if self.degrees_of_freedom == 1 else 's'} of freedom>"
         )
 
     @property

@@ -179,7 +179,7 @@ def load_fmu(path: Path | str | Fmu | None = None) -> Fmu:
         return _load(path.resolve(), path.stat().st_mtime_ns)
     except (OSError, ValueError) as problem:  # no path at all, as with a zero byte
         raise InputError(
-            f"{shown(str(path))}: no unit there: {reason(problem)}; allowed: path of an FMU"
+            f"{shown(str(path))}: cannot be read as an FMU: {reason(problem)}; allowed: the path of an FMU"
         ) from None
 
 

@@ -98,7 +98,7 @@ def read_tables(path: Path | str, fmu: Fmu) -> InputTables:
 def _numbers(path: Path, line: int, row: list[str], inputs: Sequence[Variable]) -> list[float]:
     where = f"{path}, line {line}"
     if len(row) != 1 + len(inputs):
-        raise InputError(f"{where}: {len(row)} numbers; allowed: {1 + len(inputs)}, as in the header")
+        raise InputError(f"{where}: has {len(row)} of the {1 + len(inputs)} columns in the header")
     try:
         time = number_in(row[0])
     except ValueError as problem:

@@ -42,7 +42,7 @@ def interface_over(profile: object, interface: str | None, inputs: InputTables |
     check_kind(profile, Profile, "profile", "a Profile")
     assert isinstance(profile, Profile)
     if interface not in (None, "cs"):
-        raise InputError(f"interface = {interface!r}: a profile is run over in Co-Simulation; allowed: 'cs'")
+        raise InputError(f"interface = {interface!r}: a profile needs Co-Simulation; allowed: 'cs'")
     if inputs:
         raise InputError("profile and inputs: allowed: one of them")
     fmu.variables[SLOPE].value_of(profile.steepest, "profile, its steepest line")
@@ -170,7 +170,7 @@ def simulate(
         paper_units.warn_of_mixture({n: fmu.variables.start_of(n, starts) for n in paper_units.COMPARED})
     counts = STRIDES in fmu.variables and set(SCALES) <= set(fmu.variables)
     if strides is not None and not counts:
-        raise InputError(f"strides: the unit {fmu.path.name} does not count them; allowed: stop_time")
+        raise InputError(f"strides: the unit {fmu.path.name} does not count strides; give stop_time instead")
     if stop_time is not None or not counts:
         stop_time = checked("stop_time", DEFAULT_TIME if stop_time is None else stop_time, *TIMES, "s")
     elif strides is None:

@@ -92,8 +92,8 @@ class Given:
             runners = [_runner_of(one, model) for one in several]
             other = next((runner.model for runner in runners if runner.model is not self.model), None)
             if other is not None:
-                both = f"by the model {self.model.name} and by {other.name}"
-                raise InputError(f"runners: {both}; allowed: all by one of them")
+                both = f"of the models {self.model.name} and {other.name}"
+                raise InputError(f"runners: {both}; allowed: all of one model")
         else:
             allowed = "a Runner, or numbers or arrays by name"
             by_name = by_full_name(given, "runner", allowed, self.model.aliases)
@@ -102,7 +102,7 @@ class Given:
             first = {name: float(row[0]) for name, row in self.varied.items()}
             runners = [Runner({**by_name, **first}, model=model)]
         if vary and len(runners) > 1:
-            raise InputError("vary with runners in a list; allowed: one runner")
+            raise InputError("vary with a list of runners; allowed: with one runner")
         self.runner, self.runners = runners[0], runners
         self.models: NDArray[Any]
         self.held: NDArray[Any]
@@ -230,6 +230,14 @@ class Given:
     def __len__(self) -> int:
         """The number of runners."""
         return len(self.starts)
+
+    def __repr__(self) -> str:
+        """The number of runners, their model, and what varies among them, in one line."""
+        count = f"{len(self):,} runner{'' if len(self) == 1 else 's'}"
+        among = f", over {', '.join(self.varied)}" if self.varied else ""
+        ground = ", on rough ground" if self.ground.is_drawn else ""
+        law = "" if self.law is None else ", with a law"
+        return f"<{type(self).__name__} of {count}, model {self.model.name}{among}{ground}{law}>"
 
     def part(self, first: int, count: int) -> Self:
         """Some of the runners as a batch of their own, with the same numbers."""

@@ -130,7 +130,8 @@ class Closing:
             try:
                 self.stride(last, False)
             except RunError as problem:
-                raise self._not_found(f"{problem}, after {made + closed} strides") from None
+                count = made + closed
+                raise self._not_found(f"{problem} after {count} stride{'' if count == 1 else 's'}") from None
         return last
 
     def _not_found(self, why: str) -> GaitNotFoundError:

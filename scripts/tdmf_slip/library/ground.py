@@ -51,7 +51,9 @@ def spectrum_weights(density: ArrayLike) -> tuple[float, ...]:
             f"density of shape {power.shape}; allowed: a row of 2 to {MAX_WEIGHTS // 2} finite numbers"
         )
     if np.any(power < 0.0) or not np.any(power):
-        raise InputError("density: allowed: numbers of 0 or more, not all 0")
+        raise InputError(
+            "density: has a negative number, or all are 0; allowed: numbers of 0 or more, not all 0"
+        )
     count = 2 * len(power) - 1
     even = np.fft.irfft(np.sqrt(power), count)
     return _of_unit_size(np.roll(even, count // 2))
@@ -111,7 +113,7 @@ class RoughGround:
         )
         object.__setattr__(self, "heights", _checked_heights(self.heights))
         if self.heights and not self.segment_length:
-            raise InputError("heights without a segment_length; allowed: with one above 0 m")
+            raise InputError("heights without a segment_length; allowed: segment_length above 0 m")
         if self.heights and self.roughness:
             raise InputError(
                 f"roughness = {self.roughness:g} with heights; allowed: one of them, the other left out"
@@ -171,7 +173,9 @@ class RoughGround:
     def segment_heights(self, runner: int, count: int) -> NDArray[np.float64]:
         """Heights of the first segments below one runner, from x = 0 on, m over its `ground.height`."""
         if not self.segment_length:
-            raise InputError("segment_length = 0: the ground is by stride; allowed: a terrain")
+            raise InputError(
+                "segment_length = 0: this ground steps at each apex and has no segments; allowed: above 0"
+            )
         if not self.heights:
             return self.steps(runner, count)
         runner = checked_whole("runner", runner, 0, LAST_RUNNER)
@@ -212,7 +216,7 @@ def read_heights(path: str) -> tuple[float, ...]:
     try:
         text = path_of(path, "heights", "the path of a file").read_text(encoding="utf-8-sig")
     except (OSError, ValueError) as problem:
-        raise InputError(f"{path}: {reason(problem)}; allowed: a file of heights, m") from None
+        raise InputError(f"{path}: {reason(problem)}; allowed: a text file of heights in m") from None
     lines = [line.partition("#")[0] for line in text.splitlines()]
     with_points = any("." in line for line in lines)
     heights = []
@@ -226,9 +230,11 @@ def read_heights(path: str) -> tuple[float, ...]:
         try:
             heights += [number_in(word) for word in line.replace(",", " ").split()]
         except ValueError:
-            raise InputError(f"{path}, line {number}: {shown(line.strip())}; allowed: numbers, m") from None
+            raise InputError(
+                f"{path}, line {number}: {shown(line.strip())} is not a height; allowed: numbers, in m"
+            ) from None
     if not heights:
-        raise InputError(f"{path}: no heights; allowed: one or more numbers, m")
+        raise InputError(f"{path}: has no heights; allowed: one or more numbers, in m")
     return _checked_heights(heights)
 
 

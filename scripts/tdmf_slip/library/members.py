@@ -104,7 +104,7 @@ def check_has_gaits(values: Mapping[str, Any]) -> None:
     """Refuse friction 0: nothing then fixes the speed, and gaits of any speed are neighbours."""
     if values.get(FRICTION) == 0.0:
         raise InputError(
-            "ground.friction = 0: nothing fixes a runner's speed, so that no gait is one of its own; "
+            "ground.friction = 0: without friction a gait exists at every speed, so none is isolated; "
             "allowed for gaits: above 0"
         )
 
@@ -116,8 +116,8 @@ def check_comes_down(values: Mapping[str, float]) -> None:
     push, weight = values[PUSH], values["gravity"] * (values["body.mass"] + values["foot.mass"])
     if push >= weight:
         raise GaitNotFoundError(
-            f"no gait: body.external_fy = {push:g} N carries the runner, which weighs {weight:g} N, so that "
-            "it never comes down; allowed for gaits: less than its weight"
+            f"no gait: body.external_fy = {push:g} N lifts the runner, which weighs {weight:g} N, so it "
+            "never comes down; allowed for gaits: less than its weight"
         )
 
 

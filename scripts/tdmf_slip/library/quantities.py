@@ -164,12 +164,8 @@ def check_quantities(runner: Runner, names: Sequence[str]) -> None:
     known = known_quantities(runner)
     for name in names:
         if name not in known:
-            whose = (
-                f"model {runner.model.name}"
-                if runner.model.is_page
-                else "reduced map, where the leg in flight is placed as if by itself"
-            )
-            raise InputError(f"quantity {name} of the {whose}; allowed: {', '.join(known)}")
+            whose = f"model {runner.model.name}" if runner.model.is_page else "reduced map"
+            raise InputError(f"the {whose} has no quantity {name}; allowed: {', '.join(known)}")
 
 
 def scales_of(runner: Runner, parameters: Sequence[str]) -> NDArray[np.float64]:

@@ -29,9 +29,9 @@ def refuse_patch(values: Mapping[str, float]) -> None:
     begin, end = (values.get(name, 0.0) for name in PATCH)
     if begin < end:
         raise InputError(
-            f"ground.patch_end = {end:g}: gaits and maps of apices have no place for a patch of ground; "
-            f"allowed: ground.patch_begin = {begin:g}, which is none; simulate, and "
-            "stride_map by the full model without derivatives, take a patch"
+            f"ground.patch_end = {end:g}: a runner on a patch has no periodic gait, because its next apex "
+            f"depends on the foot's position; allowed: ground.patch_begin, {begin:g}, for no patch; "
+            "simulate, strides_to_fall and stride_map without derivatives take a patch"
         )
 
 

@@ -52,7 +52,7 @@ def check_acts(name: str, runner: Runner, set_too: Sequence[str], what: str) -> 
         if name in OF_FLIGHT:
             raise InputError(
                 f"{what}: {name} has no effect in the reduced map, which places the leg without torque; "
-                "allowed: by the full model"
+                "allowed: with the full model"
             )
         return
     gains = ("hip.kp", "hip.kd")
@@ -101,7 +101,7 @@ def check_settings(
         setting_number(name, what, runner.model)
         check_acts(name, runner, (*names, *set_too), what)
         if name in inputs:
-            raise InputError(f"{what}: {name} is in the inputs, too; allowed: in one of them")
+            raise InputError(f"{what}: {name} is among the inputs, too; allowed: in one of them")
         if name == "ground.height" and ground.roughness:
             raise InputError(f"{what}: {name} on rough ground, whose steps set it; allowed: on level ground")
         if name == "ground.friction" and ground.friction_spread:

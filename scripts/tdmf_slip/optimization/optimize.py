@@ -125,9 +125,9 @@ def checked_objectives(
     signs |= {checked_quantity(name, "maximize", model): -1.0 for name in maximize}
     given = [*minimize, *maximize]
     if len(given) != count or len(signs) != count:
-        allowed = "one of them" if count == 1 else "two quantities that differ"
+        allowed = "one quantity" if count == 1 else "two quantities that differ"
         raise InputError(
-            f"minimize, maximize: {', '.join(map(str, given)) or 'neither'} given; allowed: {allowed}, of "
+            f"minimize, maximize: {', '.join(map(str, given)) or 'nothing'} given; allowed: {allowed}, of "
             f"{', '.join(allowed_quantities(model))}"
         )
     return signs
@@ -150,11 +150,13 @@ def checked_values(
     found = checked_target(target, model, FROM_ZERO)
     for name in found:
         if name in objectives:
-            raise InputError(f"target {name}: is what is minimized or maximized; allowed: another quantity")
+            raise InputError(
+                f"target {name}: this quantity is also minimized or maximized; allowed: another one"
+            )
     if len(found) > len(space.bounds):
         raise InputError(
-            f"target: {', '.join(found)} by {', '.join(space.bounds)}; "
-            "allowed: no more quantities than parameters"
+            f"target: {', '.join(found)} by varying {', '.join(space.bounds)}; "
+            "allowed: no more targets than parameters"
         )
     return found
 
@@ -170,7 +172,7 @@ def check_action(gait: Candidate, space: Space) -> None:
     """Refuse parameters that have no effect on a gait."""
     for k, name in enumerate(space.bounds):
         if max(np.max(np.abs(gait.apex_slopes[:, k])), np.max(np.abs(gait.slopes[:, k]))) <= NO_ACTION:
-            raise InputError(f"vary {name}: has no effect on this gait; allowed: a parameter that has one")
+            raise InputError(f"vary {name}: has no effect on this gait; choose a parameter that does")
 
 
 def _prepared(

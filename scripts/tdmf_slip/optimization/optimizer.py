@@ -201,8 +201,8 @@ class Optimizer:
         first = _reached(gaits, before, inside, 1)
         if first is None:
             raise RunError(
-                f"no gait within the bounds of {', '.join(space.bounds)} is reached from the runner's own; "
-                "allowed: bounds nearer to its values"
+                f"no gait within the bounds of {', '.join(space.bounds)} was reached from the runner's own "
+                "gait; choose bounds nearer to the runner's values"
             )
         self.first, self.count, self._gaits_of = first, starts, gaits
 

@@ -10,6 +10,4 @@ except ImportError:
     ) from None
 except Exception as problem:  # of the variable MPLBACKEND, or of a file of settings
     why = " ".join(str(problem).split())
-    raise InputError(
-        f"pictures: Matplotlib does not start: {why}; allowed: other settings of it"
-    ) from problem
+    raise InputError(f"pictures: Matplotlib does not start: {why}; check its settings") from problem

@@ -52,7 +52,7 @@ def of_trajectory(run: xarray.Dataset) -> Figure:
     over_time = {name: of for name, of in run.data_vars.items() if of.dims == ("time",) and name != "mode"}
     moving = [str(name) for name, of in over_time.items() if len(set(of.values)) > 1][:MAX_PANELS]
     if not moving:
-        raise InputError("plot: a trajectory on which nothing changes; allowed: one that moves")
+        raise InputError("plot: nothing changes along this trajectory, so there is nothing to draw")
     figure, panels = _over_time(
         run, [(name, [(name, "")]) for name in moving], (7.6, 1.0 + 1.3 * len(moving))
     )

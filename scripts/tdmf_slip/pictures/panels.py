@@ -31,8 +31,8 @@ def check_is_drawn(model: Model) -> None:
         missing = [name for name in DRAWN if name not in {of["public"] for of in model.table["outputs"]}]  # type: ignore[attr-defined]
         if missing:
             raise InputError(
-                f"model {model.name}: has no {', '.join(missing)}, and no picture of a runner; allowed: a "
-                "subclass of the runner, or plot, which draws outputs over time"
+                f"model {model.name}: cannot be drawn as a runner, because it has no {', '.join(missing)}; "
+                "plot draws its outputs over time"
             )
 
 

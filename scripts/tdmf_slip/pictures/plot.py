@@ -125,7 +125,7 @@ def _kind_of(result: Any) -> str:
         )
     name = next((kind for kind in kinds if kind in PICTURES and kind not in DATASETS), None)
     if name is None:
-        raise InputError(f"plot: {type(result).__name__} has no picture; allowed: results of this package")
+        raise InputError(f"plot: {type(result).__name__} cannot be drawn; allowed: results of this package")
     return name
 
 
@@ -137,7 +137,9 @@ def _of_dataset(data: Any, kind: str, draw: Callable[[Any], Figure]) -> Figure:
         if count in dimensions:
             return draw(data)
     except KeyError as problem:
-        raise InputError(f"plot: incomplete {kind}: {problem.args[0]}; allowed: all its variables") from None
+        raise InputError(
+            f"plot: incomplete {kind}: {problem.args[0]}; allowed: one with all its variables"
+        ) from None
     raise InputError(
         f"plot: {kind} over {count} dimensions; allowed: {' or '.join(map(str, dimensions))}, see Dataset.sel"
     )

@@ -64,7 +64,7 @@ def _still_up(strides: np.ndarray, mean: float) -> np.ndarray:
 def of_attraction(proof: Attraction) -> Figure:
     """The proved bound on the distance from the gait, stride by stride."""
     if not proof.proved:
-        raise InputError(f"plot: nothing is proved, {proof.undecided}; allowed: an attraction that is")
+        raise InputError(f"plot: the attraction is undecided, {proof.undecided}; allowed: a proved one")
     count = max(1, math.ceil(math.log(SMALLEST) / math.log(proof.rate))) if proof.rate > 0.0 else 1
     strides = np.arange(count + 1)
     figure, axes = style.subplots(figsize=(6.8, 4.4))

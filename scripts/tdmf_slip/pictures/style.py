@@ -186,7 +186,7 @@ def check_drawing(what: str) -> None:
     except Exception as problem:  # raised by any backend, or by a program that it calls
         raise InputError(
             f"{what}: Matplotlib cannot draw: {' '.join(str(problem).split())[:LONGEST_REASON]}; "
-            "allowed: other settings of it"
+            "check its settings"
         ) from problem
 
 

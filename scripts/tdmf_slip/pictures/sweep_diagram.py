@@ -42,7 +42,7 @@ def figure_of(
     """Curves over one name, or maps over two."""
     dimensions = gaits["word"].ndim
     if not np.isfinite(gaits["period"]).any():
-        raise InputError("plot: a sweep without gaits; allowed: one that has some")
+        raise InputError("plot: this sweep found no gait, so there is nothing to draw")
     model = model_recorded(gaits.attrs)
     display = display or DisplayUnits(values=runner_in(gaits), model=model)
     return _curves(gaits, borders, display) if dimensions == 1 else _map(gaits, display)

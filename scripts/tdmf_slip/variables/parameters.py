@@ -122,8 +122,11 @@ def parsed(text: str, loads: Callable[[str], object], allowed: str) -> Mapping[s
 
 
 def loads_json(text: str) -> object:
-    """A text as TOML, in which no key may be given twice."""
-    return json.loads(text, object_pairs_hook=_keys_once)
+    """Read JSON, in which no key may be given twice."""
+    try:
+        return json.loads(text, object_pairs_hook=_keys_once)
+    except json.JSONDecodeError as problem:
+        raise ValueError(f"is not JSON: {problem}") from None
 
 
 def _loads_toml(text: str) -> object:

@@ -117,7 +117,7 @@ class Variable:
             else self._finite(number_of(given, self.unit), given, where)
         )
         if not self.minimum <= value <= self.maximum or (self.items and value not in self.items):
-            raise self._refusal(given, where)
+            raise self._refusal(given, where, self._hint_at_degrees(given, value))
         return value
 
     def without_units(self, row: Sequence[Any], where: str) -> list[Any]:
@@ -130,6 +130,13 @@ class Variable:
         if not row:
             raise InputError(f"{where}: no values of {self.name}; allowed: one or more")
         return np.array([self.value_of(value, where) for value in row], dtype=float)
+
+    def _hint_at_degrees(self, given: Given, value: float) -> str:
+        """How to write a number that would be allowed as degrees; empty for other values."""
+        has_unit = isinstance(given, str) and units.split(given)[1] != ""
+        in_degrees = value / self.display_units.get("deg", math.nan)
+        is_meant = not has_unit and self.minimum <= in_degrees <= self.maximum
+        return f"; for degrees write '{value:g} deg'" if is_meant else ""
 
     def _refusal(self, given: object, where: str, hint: str = "", kind: str = "") -> InputError:
         plain = isinstance(given, str) and given.isprintable() and len(given) <= LONGEST_TEXT
@@ -161,7 +168,7 @@ class Variable:
         try:
             return self._finite(number_in(number), text, where) / factor
         except ValueError:
-            raise self._refusal(text, where, hint) from None
+            raise self._refusal(text, where, hint, kind="a number, ") from None
 
     def _finite(self, number: float | None, given: object, where: str) -> float:
         """A finite number, by what was given as one."""
