@@ -209,18 +209,13 @@ class Robustness:
 def robustness(gait: Gait, law: Law | None = None) -> Robustness:
     """The disturbances of height and speed up to which the runner recovers from every smaller one, too."""
     check_attracts(gait, law)
-    reach = functools.partial(_reach, gait, law)
-    return Robustness(
-        push_forward=reach("push_forward", 1.0),
-        push_backward=reach("push_backward", -1.0),
-        step_down=reach("step_down", 1.0),
-        step_up=reach("step_up", -1.0),
-    )
+    return Robustness(**{name: _reach(gait, law, name) for name in DISTURBED})
 
 
-def _reach(gait: Gait, law: Law | None, disturbance: str, direction: float) -> float:
+def _reach(gait: Gait, law: Law | None, disturbance: str) -> float:
     """The largest disturbance before the first that is not recovered from, on a line that is refined."""
     index = COORDINATES.index(DISTURBED[disturbance])
+    direction = -1.0 if disturbance in ("push_backward", "step_up") else 1.0
     recovered, lost = 0.0, FARTHEST * gait.runner.scales[index]
     for _ in range(REFINEMENTS):
         tries = np.linspace(recovered, lost, COARSE + 1)[1:]

@@ -189,38 +189,29 @@ def tested_ball(gait: Gait, law: Law | None = None) -> Ball | None:
     if not largest < 1.0:
         return None
     maximum = largest + MARGIN * (1.0 - largest)
-    strides = [
-        _Stride(gait, law, root / scales) for root in _roots_of_forms(jacobian * scales / scales[:, None])
-    ]
+    forms = [root / scales for root in _roots_of_forms(jacobian * scales / scales[:, None])]
     points = _points(len(scales))
     some = points[:: POINTS // FIRST_POINTS]
     for radius in RADII:
-        for stride in strides:
-            if stride.rate(radius * some) > maximum:
+        for form in forms:
+            if _rate(gait, law, form, radius * some) > maximum:
                 continue
-            rate = stride.rate(radius * points)
+            rate = _rate(gait, law, form, radius * points)
             if rate <= maximum:
-                matrix = stride.matrix / (INSIDE * radius)
+                matrix = form / (INSIDE * radius)
                 return Ball("tested", cube_in(matrix * scales), rate, POINTS, matrix)
     return None
 
 
-class _Stride:
-    """Measures the decrease of a norm over strides from points around a gait."""
-
-    def __init__(self, gait: Gait, law: Law | None, matrix: NDArray[np.float64]) -> None:
-        self.runner, self.law = gait.runner, law
-        self.apex, self.matrix = np.asarray(gait.apex, dtype=float), matrix
-
-    def rate(self, points: NDArray[np.float64]) -> float:
-        """The largest ratio of norms in a stride; infinite where a stride does not close."""
-        starts = self.apex + np.linalg.solve(self.matrix, points.T).T
-        run = Batch(self.runner, starts, law=self.law, tolerance=TOLERANCE).run(STRIDES)
-        if (run.strides != STRIDES).any():
-            return math.inf
-        after = (run.apex - self.apex) @ self.matrix.T
-        ratio = np.max(np.linalg.norm(after, axis=1) / np.linalg.norm(points, axis=1))
-        return float(ratio ** (1.0 / STRIDES))
+def _rate(gait: Gait, law: Law | None, form: NDArray[np.float64], points: NDArray[np.float64]) -> float:
+    """The largest ratio of a norm in a stride from points around a gait; infinite if one does not close."""
+    starts = gait.apex + np.linalg.solve(form, points.T).T
+    run = Batch(gait.runner, starts, law=law, tolerance=TOLERANCE).run(STRIDES)
+    if (run.strides != STRIDES).any():
+        return math.inf
+    after = (run.apex - gait.apex) @ form.T
+    ratio = np.max(np.linalg.norm(after, axis=1) / np.linalg.norm(points, axis=1))
+    return float(ratio ** (1.0 / STRIDES))
 
 
 def _roots_of_forms(jacobian: NDArray[np.float64]) -> list[NDArray[np.float64]]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 from collections.abc import Callable, Mapping, Sequence
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -192,15 +193,10 @@ def first_in_range(runner: Runner, name: str, begin: float, end: float) -> Gait:
     number, found, why = first_gait(runner, name, values, range(1 + len(inside)))
     if found is None:
         raise RunError(f"no gait of {name} from {begin:g} to {end:g} was found: {why}")
-    return _nearer(found, name, begin) if number == 1 and inside else found
-
-
-def _nearer(found: Gait, name: str, begin: float) -> Gait:
-    """The gait at the first end of the range if the branch leads there; else the gait given."""
-    try:
-        return next(gaits_over(found.runner, name, [begin], found))
-    except RunError:
-        return found
+    if number == 1 and inside:
+        with contextlib.suppress(RunError):  # where the branch does not lead to the first end
+            return next(gaits_over(found.runner, name, [begin], found))
+    return found
 
 
 def branch_through(

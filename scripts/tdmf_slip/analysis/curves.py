@@ -109,7 +109,9 @@ class BifurcationProblem(GaitProblem):
 
     def ends_between(self, before: Point, after: Point) -> str:
         """Text if the eigenvalues of a Neimark-Sacker point become real; else empty."""
-        if self.kind != NEIMARK_SACKER or _is_complex(after.gait):
+        values = after.gait.eigenvalues
+        on_circle = values[np.argmin(np.abs(np.abs(values) - 1.0))]
+        if self.kind != NEIMARK_SACKER or on_circle.imag != 0.0:
             return ""
         return "the eigenvalues become real: beyond, their product is 1 and none is on the circle"
 
@@ -122,12 +124,6 @@ class BifurcationProblem(GaitProblem):
         if beyond.sequence != last.gait.sequence:
             return f"at a word border: {last.gait.word} becomes {beyond.word}"
         return f"lost: {why}"
-
-
-def _is_complex(gait: Gait) -> bool:
-    values = gait.eigenvalues
-    on_circle = values[np.argmin(np.abs(np.abs(values) - 1.0))]
-    return bool(on_circle.imag != 0.0)
 
 
 @dataclass(frozen=True, eq=False)

@@ -238,14 +238,10 @@ class Problem:
 
     def leads_back(self, found: Point, known: Point) -> bool:
         """True if the corrector that starts from the tangent of one point finds the known one."""
-        goal = found.x - ((found.x - known.x) @ found.tangent) * found.tangent
-        return self.reaches(goal, found.tangent, known.x, found)
-
-    def reaches(self, goal: Vector, across: Vector, known: Vector, found: Point) -> bool:
-        """True if Newton's method from a goal comes near a known solution, over its distance from a point."""
-        near = RETURNED * float(np.linalg.norm(found.x - known))
-        plane = _OnPlane(self, goal, across, known, near)
-        for shortenings, rows in ((SHORTENINGS, np.vstack([found.rows, across])), (0, None)):
+        way = found.x - known.x
+        goal = found.x - (way @ found.tangent) * found.tangent
+        plane = _OnPlane(self, goal, found.tangent, known.x, RETURNED * float(np.linalg.norm(way)))
+        for shortenings, rows in ((SHORTENINGS, np.vstack([found.rows, found.tangent])), (0, None)):
             try:
                 solve(plane, goal, jacobian=rows, iterations=ITERATIONS, shortenings=shortenings)
             except _ReachedError:

@@ -188,8 +188,8 @@ def _best_over(
     """Best point on a border, by SLSQP in boxes of the chart."""
     here, radius = chart.point(border, np.zeros(chart.basis.shape[1])), RADIUS
     for _ in range(ROUNDS):
-        low, high = here.at - radius, here.at + radius
-        ended = minimize(problem, chart.follow, here, low, high, is_inside, ALONG)
+        box = here.at - radius, here.at + radius
+        ended = minimize(problem, chart.follow, here, box, is_inside, ALONG)
         grows = not ended.lost and problem.merit(ended.best) < problem.merit(here)
         assert isinstance(ended.best, OnBorder)
         here = ended.best

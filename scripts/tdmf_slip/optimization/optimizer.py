@@ -141,9 +141,8 @@ class Search:
         return Found(best, remaining, why=TOUCHES if touches else why)
 
     def _in_box(self, best: Candidate, radius: float, region: Region) -> Ended:
-        low, high = (best.at - radius).clip(0.0, 1.0), (best.at + radius).clip(0.0, 1.0)
-        follow = self.gaits.follow
-        return minimize(self.problem, follow, best, low, high, lambda gait: gait.region in region)
+        box = (best.at - radius).clip(0.0, 1.0), (best.at + radius).clip(0.0, 1.0)
+        return minimize(self.problem, self.gaits.follow, best, box, lambda gait: gait.region in region)
 
     def _at_border(
         self, best: Candidate, beyond: Candidate, region: Region

@@ -206,12 +206,11 @@ def minimize(
     problem: Problem,
     follow: Callable[[Candidate, NDArray[np.float64]], Candidate],
     begin: Candidate,
-    low: NDArray[np.float64],
-    high: NDArray[np.float64],
+    box: tuple[NDArray[np.float64], NDArray[np.float64]],
     is_inside: Callable[[Candidate], bool] = lambda gait: True,
     accuracy: float = ACCURACY,
 ) -> Ended:
-    """Best gait of a region in a box, and the reason why the search left the region, if it did."""
+    """Best gait of a region in a box (low, high), and why the search left the region, if it did."""
     from scipy.optimize import minimize as by_scipy  # slow to load
 
     seen = [begin]
@@ -247,7 +246,7 @@ def minimize(
             begin.at,
             jac=lambda coordinates: problem.objective(at(coordinates))[1],
             method="SLSQP",
-            bounds=list(zip(low, high, strict=True)),
+            bounds=list(zip(*box, strict=True)),
             constraints=constraints,
             options={"maxiter": ITERATIONS, "ftol": accuracy},
         )
