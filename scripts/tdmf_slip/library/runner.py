@@ -305,6 +305,7 @@ class Runner(Mapping[str, Value]):
                 ffi.new("double[]", apex.tolist()),
                 ffi.new("tdmf_return *"),
             )
+            solver.without_peaks_and_positive_work = not is_reported
             request = self.stride_request(solver, point)
             request.until, request.derivatives, request.measures = until, varied, measures
             request.seeds = seed = seed_of(along if varied else None)
