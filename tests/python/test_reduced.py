@@ -145,7 +145,7 @@ def test_what_makes_no_sense_is_refused():
         find_gait(model="half")
     with pytest.raises(InputError, match="com_height, com_speed"):
         find_gait(guess=np.ones(6), model="reduced")
-    with pytest.raises(InputError, match="all by one of them"):
+    with pytest.raises(InputError, match="all of one model"):
         Batch([Runner(), reduced()], [[1.0, 1.0]])
     with pytest.raises(InputError, match="rows of com_height, com_speed"):
         Batch(reduced(), np.ones((1, 6)))
