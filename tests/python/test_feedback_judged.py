@@ -11,7 +11,7 @@ from tdmf_slip.analysis import attraction
 from tdmf_slip.paper.figures import attraction as figure
 from tdmf_slip.paper.figures import feedback, rough
 from tdmf_slip.paper.figures.data import stored
-from tdmf_slip.paper.statements import regions
+from tdmf_slip.paper.statements import regions, rough_ground
 
 ANGLE, TORQUE = regions.SETTINGS
 
@@ -32,7 +32,7 @@ def few(monkeypatch):
 def test_a_runner_with_feedback_stays_up_longer_and_without_as_it_is(gait, few):
     """Runs at friction 1 are about ten times longer; 48 runners show that up to a factor of 3."""
     law = feedback.laws(gait)["quadratic regulator: angle and torque"]
-    noisy = dataclasses.replace(law, noise=regions.NOISE * gait.runner.scales, seed=1)
+    noisy = dataclasses.replace(law, noise=rough_ground.NOISE * gait.runner.scales, seed=1)
     held_on_rough, alone_on_rough = (
         tdmf_slip.strides_to_fall(gait.runner, 0.3, 48, 2, 200, gait=gait, law=its) for its in (noisy, None)
     )
@@ -68,7 +68,7 @@ def test_what_is_kept_of_the_figure_is_what_is_measured(few):
     assert len(data["law"]) == len(feedback.COLOURS) * len(feedback.FRICTIONS)
     gait = tdmf_slip.find_gait({"ground.friction": 10.0})
     name = "quadratic regulator: touchdown angle"
-    law = dataclasses.replace(feedback.laws(gait)[name], noise=[regions.NOISE] * 6, seed=rough.SEED)
+    law = dataclasses.replace(feedback.laws(gait)[name], noise=[rough_ground.NOISE] * 6, seed=rough.SEED)
     (row,) = np.flatnonzero((data["law"] == name) & (data["friction"] == 10.0))
     passed = rough.passages([(gait, law, 0.5)])
     assert passed["mean_strides"][0] == pytest.approx(data["mean_strides_0.5"][row], rel=0.05)

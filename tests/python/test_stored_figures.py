@@ -9,7 +9,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from tdmf_slip import Runner, compare, find_gait, gait_at, strides_to_fall
 from tdmf_slip import viability as find_viable
 from tdmf_slip.library.quantities import quantities_of
-from tdmf_slip.paper.figures import optimal, rough, slippery_patch, thrust, viability
+from tdmf_slip.paper.figures import catalogue, optimal, rough, slippery_patch, thrust, viability
 from tdmf_slip.paper.figures.data import stored
 from tdmf_slip.paper.matched import HOLD, VARY
 from tdmf_slip.pictures import style
@@ -64,7 +64,7 @@ def test_patches_cause_falls_downhill_on_grippy_ground():
     first = {mu: slippery_patch.shortest(data, mu, matched=False) for mu in (10.0, 1.2, 0.6)}
     assert [round(first[friction][2]) for friction in (10.0, 1.2)] == [251, 1002]
     assert first[0.6][2] == np.inf and np.all(first[10.0] <= first[1.2])
-    for gait, matched in slippery_patch.gaits(Runner({})):
+    for gait, matched in slippery_patch.gaits(catalogue.results()):
         rows = (data["matched"] == matched) & (data["friction"] == gait.friction)
         for row in np.flatnonzero(rows)[[3, 60, 100]]:
             friction, length = data["patch_friction"][row], data["length"][row]
@@ -83,7 +83,7 @@ def test_viable_shares_of_matched_runners_are_what_is_kept():
     for name in viability.HOLD:
         (value,), (wanted,) = (quantities_of(of, [name]).values() for of in (gait, reference))
         assert value == pytest.approx(wanted, rel=1e-6)
-    found = find_viable(values, axes=viability.AXES, vary=viability.CHOSEN, n=viability.CELLS)
+    found = find_viable(values, axes=viability.VIABLE_PLANE, vary=viability.CHOSEN, n=viability.CELLS)
     assert found.inner_share == pytest.approx(data["inner_share"][row], abs=1e-3)
     assert float(found["outer_robustness"].mean()) == pytest.approx(data["outer_robustness"][row], abs=1e-3)
 

@@ -18,6 +18,7 @@ from ..library.gait import Gait
 from ..library.runner import Runner
 from ..library.section import COORDINATES
 from ..variables.table import FRICTION, STATES
+from ..variables.variable import Given
 from .along import gait_table
 from .claims import WORDS
 
@@ -65,24 +66,21 @@ class Evidence:
         found: NDArray[np.float64] = moduli[gaits["word"].values != ""]
         return found
 
+    def gait(self, friction: float, **values: Given) -> Gait:
+        """The gait at a friction, with other values of the runner."""
+        return periodic_gait(self.runner.replace(values | {FRICTION: friction}))
+
     @cached_property
     def five(self) -> list[Gait]:
         """Gaits at the frictions of the paper's figures 5 to 8."""
-        return [periodic_gait(self.runner.replace({FRICTION: friction})) for friction in WORDS]
-
-    @property
-    def touchdown_angle(self) -> float:
-        """Leg angle at touchdown at the highest friction, rad."""
-        events = self.five[0].events
-        touchdown = next(event for event in events if event.contact_after != c.TDMF_CONTACT_FLIGHT)
-        return touchdown.state[STATES.index("leg.angle")]
+        return [self.gait(friction) for friction in WORDS]
 
     @cached_property
     def settling(self) -> int | None:
         """Strides in which a run from the unit's start settles on the least friction; None if never."""
-        slippery = self.runner.replace({FRICTION: LEAST_FRICTION})
-        run = stride_map(slippery, [slippery.start_apex()], strides=SIMULATED)
-        off = np.abs(run["apex"].values[0] - periodic_gait(slippery).apex) / slippery.scales
+        gait = self.gait(LEAST_FRICTION)
+        run = stride_map(gait.runner, [gait.runner.start_apex()], strides=SIMULATED)
+        off = np.abs(run["apex"].values[0] - gait.apex) / gait.runner.scales
         settled = np.flatnonzero(np.max(off, axis=1) < SETTLED)
         return int(settled[0]) if len(settled) else None
 
@@ -91,7 +89,7 @@ class Evidence:
         """Number of perturbed strides with more than one touchdown, or without a next apex."""
         directions = np.eye(len(COORDINATES)) * self.runner.scales
         offsets = np.concatenate([size * directions for size in PERTURBATIONS])
-        gaits = [periodic_gait(self.runner.replace({FRICTION: friction})) for friction in PERTURBED]
+        gaits = [self.gait(friction) for friction in PERTURBED]
         runs = [stride_map(gait.runner, gait.apex + offsets) for gait in gaits]
         return sum(int(np.sum(run["touchdowns"] != 1.0)) for run in runs)
 
@@ -100,6 +98,12 @@ class Evidence:
         """Search for a gait with the stance torque (11) as it is printed, all over the section."""
         name = "hip.stance_torque"
         return search_from_spread(self.runner.replace({name: -self.runner[name]}))
+
+
+def touchdown_angle(gait: Gait) -> float:
+    """Leg angle at touchdown, rad."""
+    touchdown = next(event for event in gait.events if event.contact_after != c.TDMF_CONTACT_FLIGHT)
+    return touchdown.state[STATES.index("leg.angle")]
 
 
 @dataclass(frozen=True, eq=False)

@@ -26,21 +26,21 @@ from ..library.gait import Gait
 from ..library.runner import Runner
 from ..variables.table import FRICTION
 from .claims import Claim, both_readings
+from .evidence import touchdown_angle
+from .statements.claim import ANGLE, RATE, TORQUE
 
 if TYPE_CHECKING:
     import xarray
 
 AFTER = 30
 """Strides after the patch: a runner that has made them is up."""
-ANGLE = "hip.touchdown_angle"
 STEEPEST = math.pi / 2.0
 """Bound of the angle at which a leg may be placed, rad from the vertical."""
 
 
 def contact_angle_of(gait: Gait) -> float:
     """The angle of the leg from the ground at touchdown, on a gait."""
-    angle = dict(zip(("x", "y", "length", "angle"), gait.events[0].state, strict=False))["angle"]
-    return 90.0 - math.degrees(angle)
+    return 90.0 - math.degrees(touchdown_angle(gait))
 
 
 def landing_at(gait: Gait, contact_angle: float) -> Runner | None:
@@ -50,7 +50,7 @@ def landing_at(gait: Gait, contact_angle: float) -> Runner | None:
     drop = float(gait.apex[0]) - share * values["leg.free_length"] * math.cos(at)
     if drop <= 0.0:
         return None
-    touchdown_angle = at + values["hip.retraction_rate"] * math.sqrt(2.0 * drop / values["gravity"])
+    touchdown_angle = at + values[RATE] * math.sqrt(2.0 * drop / values["gravity"])
     return gait.runner.replace({ANGLE: touchdown_angle}) if touchdown_angle < STEEPEST else None
 
 
@@ -140,9 +140,9 @@ def runner_of(leg_length: float | None = None) -> Runner:
         "leg.free_length": length,
         "leg.min_length": 0.05 * length,
         "gravity": GRAVITY,
-        "hip.stance_torque": its["start_torque"] * stiffness * length**2,
-        "hip.touchdown_angle": math.radians(its["touchdown_angle"]),
-        "hip.retraction_rate": its["start_speed"] / length,
+        TORQUE: its["start_torque"] * stiffness * length**2,
+        ANGLE: math.radians(its["touchdown_angle"]),
+        RATE: its["start_speed"] / length,
         FRICTION: its["high_friction"],
     }
     return Runner(values, model="reduced")
@@ -167,9 +167,9 @@ def _continued(gait: Gait, speeds: Sequence[float]) -> list[Gait]:
     """Gaits at speeds in turn, to the last that there is."""
     found: list[Gait] = []
     for speed in speeds:
-        runner = gait.runner.replace({"hip.retraction_rate": speed / gait.runner["leg.free_length"]})
+        runner = gait.runner.replace({RATE: speed / gait.runner["leg.free_length"]})
         try:
-            gait = find_gait(runner, target={"speed": speed}, vary=["hip.stance_torque"], guess=gait.apex)
+            gait = find_gait(runner, target={"speed": speed}, vary=[TORQUE], guess=gait.apex)
         except RunError:
             break
         found.append(gait)

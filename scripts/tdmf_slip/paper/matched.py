@@ -19,6 +19,8 @@ if TYPE_CHECKING:
 HOLD = ("speed", "apex_height", "apex_leg_angle")
 """Quantities to match. They also make the foot equally high at the apex."""
 VARY = ("hip.stance_torque", "hip.touchdown_angle", "hip.liftoff_angle_factor")
+IN_TWO = HOLD[:2], VARY[:2]
+"""Quantities to match and parameters to vary where the angle of the leg is left free."""
 
 
 def match_gait(reference: Gait, gait: Gait, hold: Sequence[str] = HOLD, vary: Sequence[str] = VARY) -> Gait:

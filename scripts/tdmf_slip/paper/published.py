@@ -10,7 +10,7 @@ import pandas
 
 from .along import words_over
 from .claims import WORDS, Claim, Finding, both_readings
-from .evidence import LEAST_FRICTION, LEG_ANGLE, SLIP_ANGLE, ClassicEvidence, Evidence
+from .evidence import LEAST_FRICTION, LEG_ANGLE, SLIP_ANGLE, ClassicEvidence, Evidence, touchdown_angle
 
 STABLE_ANGLES = (40.0, 44.0)
 """Touchdown angles with stable gaits, about, degrees."""
@@ -140,7 +140,7 @@ def _leg_after_liftoff(evidence: Evidence) -> Finding:
 
 @statement("5.1", "theta before touchdown, mu = 10", "converges to 40°")
 def _leg_at_touchdown(evidence: Evidence) -> Finding:
-    angle = math.degrees(evidence.touchdown_angle)
+    angle = math.degrees(touchdown_angle(evidence.five[0]))
     wanted = math.degrees(evidence.five[0].runner["hip.touchdown_angle"])
     return Finding(f"{angle:.2f}°", abs(angle - wanted) < NEAR_ANGLE)
 

@@ -4,7 +4,6 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
 
-from ..analysis.search import periodic_gait
 from ..checks import checked_flag, checked_whole
 from ..fmu.fmu import Fmu, load_fmu
 from ..library.runner import Runner
@@ -12,7 +11,6 @@ from ..record import origin_of
 from ..terminal.progress import progress_bar
 from ..terminal.text import table
 from ..variables.parameters import read_parameters
-from ..variables.table import FRICTION
 from . import guinea_fowl, human_running, published
 from . import reference_gaits as reference
 from .claims import PAPER, READINGS, WORDS, Claim, Group, of_group
@@ -202,17 +200,15 @@ def validate(
     True
     """
     fmu, own, seed = load_fmu(fmu), checked_flag("own", own), checked_whole("seed", seed, 0, LAST_SEED)
-    runners = {
-        reading: {**read_parameters("paper"), "hip.swing_clamp": value} for reading, value in READINGS.items()
+    evidence = {
+        reading: Evidence(Runner({**read_parameters("paper"), "hip.swing_clamp": value}), progress)
+        for reading, value in READINGS.items()
     }
     gaits: dict[str, list[SettledRun]] = {reading: [] for reading in READINGS}
     with progress_bar("gaits", len(WORDS) * len(READINGS), "gaits", progress) as bar:
-        for reading, parameters in runners.items():
-            for friction in WORDS:
-                given = {**parameters, FRICTION: friction}
-                gait = periodic_gait(Runner(given))  # from elsewhere the unit would settle in more strides
-                start = {**given, **gait.runner.state_at(gait.apex)}
-                gaits[reading].append(settle_fmu(start, tolerance=tolerance, fmu=fmu))
+        for reading, known in evidence.items():
+            for gait in known.five:  # from elsewhere the unit would settle in more strides
+                gaits[reading].append(settle_fmu(gait.start_values, tolerance=tolerance, fmu=fmu))
                 bar.update()
     references = {(known.swing_clamp, known.friction): known for known in reference.gaits()}
     drifts = [
@@ -223,7 +219,6 @@ def validate(
     ]
     if only_gaits:
         return Validation(gaits=gaits, claims=(), drifts=drifts)
-    evidence = {reading: Evidence(Runner(given), progress) for reading, given in runners.items()}
     classic = gather_classic()
     for reading, of_reading in evidence.items():
         drifts += reference.sweep_drifts(reading, of_reading)

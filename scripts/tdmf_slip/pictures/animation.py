@@ -182,10 +182,9 @@ class _Scene:
 
     def _word(self) -> list[Text]:
         """The letters of the gait word, one for each contact mode with force."""
-        modes = [interval.mode for interval in self.stride.intervals if interval.mode in style.LOADED]
-        letters = []
-        for i, mode in enumerate(modes):
-            letter = self._text(0.84 - 0.032 * (len(modes) - 1 - i), 0.06, "center", size=18, weight="bold")
+        letters, count = [], len(self.stride.loaded)
+        for i, (mode, _) in enumerate(self.stride.loaded):
+            letter = self._text(0.84 - 0.032 * (count - 1 - i), 0.06, "center", size=18, weight="bold")
             letter.set_text(style.LETTERS[mode])
             letters.append(letter)
         return letters
@@ -210,10 +209,9 @@ class _Scene:
 
     def _light(self, time: float) -> None:
         """Light the letter of the present contact mode."""
-        intervals = [interval for interval in self.stride.intervals if interval.mode in style.LOADED]
-        for interval, letter in zip(intervals, self.letters, strict=True):
-            first, last = self.stride.time[interval.rows][[0, -1]]
-            letter.set_color(style.MODE_COLOURS[interval.mode] if first <= time <= last else style.GROUND)
+        for (mode, rows), letter in zip(self.stride.loaded, self.letters, strict=True):
+            first, last = self.stride.time[rows][[0, -1]]
+            letter.set_color(style.MODE_COLOURS[mode] if first <= time <= last else style.GROUND)
 
     def _push(self, foot: tuple[float, float], time: float, colour: str) -> None:
         """The ground force as an arrow from the foot."""
@@ -227,14 +225,13 @@ class _Scene:
 
     def _leave_streaks(self, time: float) -> None:
         """Draw where the foot has slipped, also in the stride before, so that the loop closes."""
-        slips = [interval for interval in self.stride.intervals if interval.mode in SLIPS]
+        slips = [interval for interval in self.stride.intervals if interval[0] in SLIPS]
         for streak in self.streaks:
             streak.set_data([], [])
         free = iter(self.streaks)
         for shift, until in ((-self.length, np.inf), (0.0, time)):
-            for depth, interval in enumerate(slips):
-                rows = interval.rows
+            for depth, (mode, rows) in enumerate(slips):
                 x = self.stride["foot.x"][rows][self.stride.time[rows] <= until] + shift
                 streak = next(free)
                 streak.set_data(x, self.line(x) - 0.05 - 0.07 * depth)
-                streak.set_color(style.MODE_COLOURS[interval.mode])
+                streak.set_color(style.MODE_COLOURS[mode])

@@ -37,10 +37,10 @@ def figure_of(run: xarray.Dataset) -> Figure:
         raise InputError(f"plot: the run has not recorded {', '.join(sorted(missing))}")
     figure, panels = _over_time(run, PANELS, (8.4, 7.6))
     time, modes = run["time"].values, [VARIABLES[MODE].items[int(mode)] for mode in run[MODE].values]
-    starts = [0, *(row for row in range(1, len(time)) if modes[row] != modes[row - 1])]
-    for start, end in zip(starts, [*starts[1:], len(time) - 1], strict=True):
-        for axes in panels if modes[start] != "flight" else ():
-            axes.axvspan(time[start], time[end], color=style.MODE_COLOURS[modes[start]], **SHADED)
+    for mode, rows in style.runs_of(modes):
+        for axes in panels if mode != "flight" else ():
+            end = time[min(rows.stop, len(time) - 1)]
+            axes.axvspan(time[rows.start], end, color=style.MODE_COLOURS[mode], **SHADED)
     seen = [mode for mode in style.MODE_NAMES if mode in set(modes) - {"flight"}]
     key = [Patch(color=style.MODE_COLOURS[mode], label=style.MODE_NAMES[mode], **SHADED) for mode in seen]
     figure.legend(handles=key, loc="outside lower center", ncols=len(style.LOADED) + 1)

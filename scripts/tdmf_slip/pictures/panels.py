@@ -1,8 +1,8 @@
 """One stride of a gait, normalised as in the paper, and cut into contact modes, for the pictures."""
 
-from collections.abc import Collection, Sequence
-from dataclasses import dataclass
+from collections.abc import Collection, Iterable, Sequence
 from functools import cached_property
+from typing import Any, TypeAlias
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -17,6 +17,7 @@ from ..variables import paper_units
 from ..variables.table import Model
 from . import style
 
+Values: TypeAlias = NDArray[np.float64]
 POINTS, TRAJECTORY_POINTS = 6000, 1001
 """Recorded points in the stride, to which each event adds two; times of the gait of a model of one's own."""
 
@@ -34,16 +35,6 @@ def check_is_drawn(model: Model) -> None:
                 f"model {model.name}: cannot be drawn as a runner, because it has no {', '.join(missing)}; "
                 "plot draws its outputs over time"
             )
-
-
-@dataclass(frozen=True)
-class Interval:
-    """A part of the stride in one contact mode."""
-
-    mode: str
-    """Name of the contact mode."""
-    rows: slice
-    """Rows of the stride in this mode."""
 
 
 class Stride:
@@ -76,17 +67,19 @@ class Stride:
         return [items[int(mode)] for mode in self._table[MODE]]
 
     @cached_property
-    def intervals(self) -> list[Interval]:
-        """The stride cut at every change of contact mode, in order; each has at least one row."""
-        starts = [0, *(i for i in range(1, len(self.modes)) if self.modes[i] != self.modes[i - 1])]
-        ends = [*starts[1:], len(self.modes)]
-        return [Interval(self.modes[a], slice(a, b)) for a, b in zip(starts, ends, strict=True)]
+    def intervals(self) -> list[tuple[str, slice]]:
+        """The stride cut at every change of contact mode, in order: each mode, and its rows."""
+        return style.runs_of(self.modes)
+
+    @cached_property
+    def loaded(self) -> list[tuple[str, slice]]:
+        """Intervals in which the ground bears the foot."""
+        return [interval for interval in self.intervals if interval[0] in style.LOADED]
 
     @cached_property
     def stance(self) -> slice:
         """Rows on the ground with force, from the first contact to the last."""
-        contact = [p.rows for p in self.intervals if p.mode not in ("flight", "graze")]
-        return slice(contact[0].start, contact[-1].stop)
+        return slice(self.loaded[0][1].start, self.loaded[-1][1].stop)
 
     def times_of(self, what: str) -> list[float]:
         """Times of the events of one kind."""
@@ -139,39 +132,20 @@ def mark_mid_stance(axes: Axes, stride: Stride) -> None:
 
 
 def modes(
-    axes: Axes, stride: Stride, values: NDArray[np.float64], shown: float, wanted: Collection[str]
+    axes: Axes, intervals: Iterable[tuple[str, slice]], x: Values, y: Values, shown: float = 0.0, **look: Any
 ) -> None:
-    """A curve over time in the colours of the contact modes: slip dashed, all else solid."""
-    for interval in stride.intervals:
-        if interval.mode not in wanted:
-            continue
-        time, value, colour = (
-            stride.time[interval.rows],
-            values[interval.rows],
-            style.MODE_COLOURS[interval.mode],
-        )
-        if np.ptp(time) < SHORT * shown:
-            axes.plot(time[-1], value[-1], "o", color=colour, markersize=5, zorder=4)
+    """A curve in the colours of the contact modes, slip dashed; `shown` is the range of the axis of x."""
+    for mode, rows in intervals:
+        if np.ptp(x[rows]) < SHORT * shown:
+            axes.plot(x[rows][-1], y[rows][-1], "o", color=style.MODE_COLOURS[mode], markersize=5, zorder=4)
         else:
-            axes.plot(
-                time, value, color=colour, linestyle=style.dashes(interval.mode), linewidth=2.0, zorder=3
-            )
+            axes.plot(x[rows], y[rows], **{**style.line_of(mode), **look}, zorder=3)
 
 
 def mode_key(stride: Stride, wanted: Collection[str]) -> list[Line2D]:
     """Legend entries of the contact modes that occur, in the order of their first appearance."""
     names = [name for name in dict.fromkeys(stride.modes) if name in wanted]
-    return [
-        Line2D(
-            [],
-            [],
-            color=style.MODE_COLOURS[name],
-            linewidth=2.0,
-            linestyle=style.dashes(name),
-            label=style.MODE_NAMES[name],
-        )
-        for name in names
-    ]
+    return [Line2D([], [], **style.line_of(name), label=style.MODE_NAMES[name]) for name in names]
 
 
 def key_below(figure: Figure, strides: Sequence[Stride]) -> None:
@@ -184,7 +158,7 @@ def foot_velocity(axes: Axes, stride: Stride, stance_only: bool) -> None:
     """The foot's tangential velocity; its jump is the impact."""
     start, end = stride.stance_times
     shown = (1.0 + 2.0 * MARGIN) * (end - start) if stance_only else stride.time[-1]
-    modes(axes, stride, stride["foot.vx"], shown, style.MODE_COLOURS)
+    modes(axes, stride.intervals, stride.time, stride["foot.vx"], shown)
     rows = stride.stance
     before, after = rows.start - 1, rows.start
     axes.plot(
@@ -207,7 +181,7 @@ def force_ratio(axes: Axes, stride: Stride) -> None:
     rows = stride.stance
     ratio[rows] = stride["contact.fx"][rows] / stride["contact.fy"][rows]
     start, end = stride.stance_times
-    modes(axes, stride, ratio, end - start, style.LOADED)
+    modes(axes, stride.loaded, stride.time, ratio, end - start)
     friction = stride.gait.friction
     for edge, name in ((friction, r"$+\mu$"), (-friction, r"$-\mu$")):
         axes.axhline(edge, **style.LIMIT_LINE)

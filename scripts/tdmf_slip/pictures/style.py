@@ -7,7 +7,7 @@ from io import BytesIO
 from itertools import product
 from pathlib import Path
 from string import Template
-from typing import Any, Literal, TypeAlias
+from typing import Any
 
 import matplotlib
 import numpy as np
@@ -28,8 +28,6 @@ from ..errors import InputError
 from ..files.whole import check_destination, whole
 from ..fmu.run import SLIPS
 from ..variables.display_units import DisplayUnits
-
-LineStyle: TypeAlias = Literal["-"] | tuple[float, tuple[float, ...]]
 
 FORMATS = (".png", ".svg", ".pdf")
 LONGEST_REASON = 200
@@ -213,6 +211,13 @@ def label(axes: Axes, horizontal: str, vertical: str) -> None:
     axes.set_ylabel(vertical)
 
 
+def runs_of(values: Sequence[Any]) -> list[tuple[Any, slice]]:
+    """Each stretch of equal values: the value, and the rows of the stretch."""
+    starts = [row for row in range(len(values)) if row == 0 or values[row] != values[row - 1]]
+    ends = [*starts[1:], len(values)]
+    return [(values[start], slice(start, end)) for start, end in zip(starts, ends, strict=True)]
+
+
 def edges_of(values: NDArray[np.float64]) -> NDArray[np.float64]:
     """Edges midway between values, and as far beyond the outer values; for a single value, around it."""
     if len(values) == 1:
@@ -296,9 +301,9 @@ def name_unstable(axes: Axes) -> None:
     axes.plot([], [], color=INK, linewidth=1.0, linestyle=SLIP_DASHES, label="unstable gaits")
 
 
-def dashes(mode: str) -> LineStyle:
-    """Line style of a contact mode: slip dashed, all else solid."""
-    return SLIP_DASHES if mode in SLIPS else "-"
+def line_of(mode: str) -> dict[str, Any]:
+    """Line of a contact mode: slip dashed, all else solid."""
+    return {"color": MODE_COLOURS[mode], "linestyle": SLIP_DASHES if mode in SLIPS else "-", "linewidth": 2.0}
 
 
 def word(letters: str) -> str:

@@ -1,7 +1,6 @@
 """Gaits over one parameter, by eigenvalues, speed and cost of transport; over two, by speed and word."""
 
 from collections.abc import Mapping, Sequence
-from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 import matplotlib
@@ -84,14 +83,14 @@ def _words(axes: Axes, values: NDArray[np.float64], words: Sequence[str]) -> Non
     """The gait word above each stretch of equal words that has room for it; none where a branch turns."""
     if len(set(np.sign(np.diff(values)))) > 1:
         return
-    starts = [0, *(i for i in range(1, len(words)) if words[i] != words[i - 1]), len(words)]
     shown = axes.transData.transform([(value, 0.0) for value in values])[:, 0]
-    for start, end in pairwise(starts):
-        word = style.word(words[start])
-        if abs(shown[end - 1] - shown[start]) > LETTER_WIDTH * len(word) or len(starts) == 2:
-            middle = axes.transData.inverted().transform((0.5 * (shown[start] + shown[end - 1]), 0.0))[0]
+    runs = style.runs_of(words)
+    for word, rows in runs:
+        begin, end = shown[rows][[0, -1]]
+        if abs(end - begin) > LETTER_WIDTH * len(word) or len(runs) == 1:
+            middle = axes.transData.inverted().transform((0.5 * (begin + end), 0.0))[0]
             top: Any = ("data", "axes fraction")
-            axes.annotate(word, (middle, 1.02), xycoords=top, ha="center", fontsize=9)
+            axes.annotate(style.word(word), (middle, 1.02), xycoords=top, ha="center", fontsize=9)
 
 
 def _map(gaits: "xarray.Dataset", display: DisplayUnits) -> Figure:

@@ -13,23 +13,20 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import pandas
 
-from ...analysis.search import periodic_gait
 from ...analysis.sweeps import gaits_in
-from ...library.gait import Gait
 from ...library.runner import Runner
 from ...pictures.panels import Stride
 from ...variables.parameters import read_parameters
-from ...variables.table import FRICTION
 from ..along import gait_table
 from ..evidence import Evidence
 from ..matched import match_gaits
+from ..statements.claim import CLAMP
 
 if TYPE_CHECKING:
     import xarray
 
 EQUAL = 48
 """Number of gaits over friction that are matched to the first one."""
-CLAMP = "hip.swing_clamp"
 
 
 class Results(Evidence):
@@ -47,11 +44,7 @@ class Results(Evidence):
         return self._tables[figure](self) if known is None else known
 
     def _stride(self, friction: float, clamp: bool = False) -> Stride:
-        return Stride(self.gait(friction, {CLAMP: clamp}))
-
-    def gait(self, friction: float, values: Mapping[str, Any] | None = None) -> Gait:
-        """The gait at a friction, with other values of the runner."""
-        return periodic_gait(self.runner.replace({FRICTION: friction, **(values or {})}))
+        return Stride(self.gait(friction, **{CLAMP: clamp}))
 
     @cached_property
     def equal(self) -> "xarray.Dataset":

@@ -17,9 +17,10 @@ from ...pictures.style import CurveLabel
 from ...variables.table import FRICTION
 from ..along import gait_table
 from ..matched import gait_with
+from ..statements.claim import SLOPE
 from .data import Results
 
-SLOPE, RATIO, VELOCITY = "ground.slope", "ground.static_friction_ratio", "ground.stribeck_velocity"
+RATIO, VELOCITY = "ground.static_friction_ratio", "ground.stribeck_velocity"
 LEVEL, DOWNHILL = 0.0, -3.0
 """Slopes, degrees."""
 FRICTIONS: Mapping[float, float] = {LEVEL: 0.3, DOWNHILL: 0.0515}
@@ -142,7 +143,7 @@ def _write_words(axes: Axes, data: pandas.DataFrame, slope: float) -> None:
     """Write each word beside its curve if it holds for long enough."""
     for ratio in RATIOS[slope]:
         its = _shown(branch_of(data, slope, ratio))
-        for _, run in its.groupby((its["word"] != its["word"].shift()).cumsum()):
-            if np.ptp(np.log10(run["stribeck_velocity"])) >= SHORT_RUN:
-                points = run[["stribeck_velocity", "speed"]].to_numpy()
-                CurveLabel(axes, style.word(run["word"].iloc[0]), points, color=COLOURS[ratio])
+        points = its[["stribeck_velocity", "speed"]].to_numpy()
+        for word, rows in style.runs_of(its["word"].to_numpy()):
+            if np.ptp(np.log10(points[rows, 0])) >= SHORT_RUN:
+                CurveLabel(axes, style.word(word), points[rows], color=COLOURS[ratio])

@@ -15,7 +15,8 @@ from ...pictures import style
 from ...pictures.style import CurveLabel
 from ..matched import match_gaits
 from ..statements.claim import ANGLE
-from ..statements.regions import NOISE, dead_beat_law, regulator
+from ..statements.regions import dead_beat_law, regulator
+from ..statements.rough_ground import NOISE
 from .attraction import judged
 from .data import Results, table_of
 from .over_friction import draw_means, friction_axis

@@ -17,12 +17,12 @@ from ...pictures import style
 from ...variables.table import FRICTION
 from ..along import gait_table
 from ..matched import gait_with, match_gait
+from ..statements.claim import RATE
 from .data import Results
 
 if TYPE_CHECKING:
     import xarray
 
-RATE = "hip.retraction_rate"
 FRICTIONS = (0.2, 0.6, 10.0)
 SHOWN = (-0.0085, 0.035)
 """Range of rates on the axis, √(k/m)."""

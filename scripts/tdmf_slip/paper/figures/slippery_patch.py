@@ -5,25 +5,21 @@ import pandas
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from ...analysis.search import periodic_gait
 from ...analysis.sweeps import gaits_in
 from ...library.gait import Gait
-from ...library.runner import Runner
 from ...pictures import style
 from ...pictures.style import CurveLabel
-from ...variables.table import FRICTION
-from ..matched import falls_on_patch, match_gaits
+from ..matched import IN_TWO, falls_on_patch, match_gaits
+from ..statements.claim import SLOPE
+from ..statements.rough_ground import DOWNHILL
 from .data import Results
 
-SLOPE = -4.0
-"""Slope, degrees."""
 OUTSIDE = (10.0, 1.2, 0.6)
 """Frictions of the ground around the patch."""
 ON_PATCH = np.linspace(0.0, 0.1, 11)
 LENGTHS = np.geomspace(100.0, 2000.0, 14)
 """Lengths of the patch, over that of the leg."""
 RUNNERS = 32
-MATCHED = ("hip.stance_torque", "hip.touchdown_angle")
 COLOURS = ("#22303c", "#0b7a75", "#e07b00")
 LEADER = 14.0
 """Points between the line of the slope's tangent and its label."""
@@ -31,11 +27,10 @@ NEVER = 1.25 * LENGTHS[-1]
 """Length at which a point is drawn if no runner falls at any length."""
 
 
-def gaits(runner: Runner) -> list[tuple[Gait, bool]]:
+def gaits(results: Results) -> list[tuple[Gait, bool]]:
     """Gaits on each ground, and gaits matched in speed and apex height to the last ground's, with True."""
-    its = runner.replace({"ground.slope": float(np.radians(SLOPE))})
-    own = [periodic_gait(its.replace({FRICTION: friction})) for friction in OUTSIDE]
-    alike = gaits_in(match_gaits([own[-1], *own[:-1]], ("speed", "apex_height"), MATCHED))
+    own = [results.gait(friction, **{SLOPE: f"{DOWNHILL} deg"}) for friction in OUTSIDE]
+    alike = gaits_in(match_gaits([own[-1], *own[:-1]], *IN_TWO))
     return [*((gait, False) for gait in own), *((gait, True) for gait in alike)]
 
 
@@ -48,7 +43,7 @@ def table(results: Results) -> pandas.DataFrame:
     """Falls by ground, friction and length of the patch; takes minutes."""
     rows = [
         (gait.friction, matched, gait.stride["speed"], friction, length, falls(gait, friction, length))
-        for gait, matched in gaits(results.runner)
+        for gait, matched in gaits(results)
         for friction in ON_PATCH
         for length in LENGTHS
     ]
@@ -82,7 +77,7 @@ def draw(results: Results) -> Figure:
             axes.plot(ON_PATCH, np.minimum(alike, NEVER), "x", color=colour, markersize=8)
     axes.plot([], [], "x", color=style.INK, label="speed and apex height as at friction 0.6")
     axes.axhline(LENGTHS[-1], **style.LIMIT_LINE)
-    slope = float(np.tan(np.radians(-SLOPE)))
+    slope = float(np.tan(np.radians(-DOWNHILL)))
     axes.axvline(slope, **style.LIMIT_LINE)
     along = np.array([(slope, length) for length in LENGTHS])
     CurveLabel(axes, "tangent of the slope", along, distances=(LEADER,))

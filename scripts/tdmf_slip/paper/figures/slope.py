@@ -16,9 +16,9 @@ from ...pictures import style
 from ...variables.table import FRICTION
 from ..along import gait_table, up_to_turn
 from ..matched import gait_with, match_gaits
+from ..statements.claim import SLOPE
 from .data import Results
 
-SLOPE = "ground.slope"
 COLOURS: Mapping[float, str] = {0.2: "#e07b00", 0.6: "#0b7a75", 10.0: "#22303c"}
 """Colour by friction."""
 LOWEST, HIGHEST = np.radians(-5.0), np.radians(15.0)

@@ -80,15 +80,8 @@ def _ray(axes: Axes, stride: Stride, time: float) -> None:
 
 
 def _path(axes: Axes, stride: Stride, limits: tuple[float, float]) -> None:
-    for interval in stride.intervals:
-        if interval.mode in style.LOADED:
-            axes.plot(
-                stride["foot.x"][interval.rows],
-                stride.time[interval.rows] - stride.stance_times[0],
-                linewidth=2.4,
-                color=style.MODE_COLOURS[interval.mode],
-                linestyle=style.dashes(interval.mode),
-            )
+    since_touchdown = stride.time - stride.stance_times[0]
+    panels.modes(axes, stride.loaded, stride["foot.x"], since_touchdown, linewidth=2.4)
     axes.set_xlim(*limits)
     axes.invert_yaxis()
     style.label(axes, "position along the ground x (l₀)", "time from\ntouchdown (√(m/k))")

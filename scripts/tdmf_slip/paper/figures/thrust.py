@@ -15,13 +15,13 @@ from ...library.gait import Gait
 from ...pictures import style
 from ...variables.table import FRICTION
 from ..along import gait_table
-from ..matched import gait_with, match_gait
+from ..matched import IN_TWO, gait_with, match_gait
+from ..statements.claim import ANGLE, THRUST, TORQUE
 from .data import Results
 
 if TYPE_CHECKING:
     import xarray
 
-TORQUE, THRUST, ANGLE = "hip.stance_torque", "leg.thrust", "hip.touchdown_angle"
 FRICTIONS = (0.2, 0.6, 10.0)
 HIGHEST_TORQUE, HIGHEST_THRUST = 1.0, 0.6
 WITHOUT_TORQUE = 0.45
@@ -74,7 +74,7 @@ def matched(by_hip: "xarray.Dataset") -> list[Gait]:
         reference = min(stable, key=lambda gait: abs(gait.stride["speed"] - speed))
         with suppress(RunError):
             near = gait_with(reference, THRUST, HELPED)
-            found.append(match_gait(reference, near, ("speed", "apex_height"), (TORQUE, ANGLE)))
+            found.append(match_gait(reference, near, *IN_TWO))
     return found
 
 

@@ -9,17 +9,15 @@ from ...library.runner import Runner
 from ...pictures import style
 from ...variables.table import FRICTION
 from ...viable_sets.viability import viability
-from ..matched import match_gaits
+from ..matched import IN_TWO, match_gaits
+from ..statements.regions import CHOSEN, VIABLE_PLANE
 from .data import Results, table_of
 from .over_friction import friction_axis
 
 FRICTIONS = (0.05, 0.07, 0.1, 0.15, 0.2, 0.3, 0.43, 0.6, 0.85, 1.2, 2.5, 5.0, 10.0)
 REFERENCE = 0.6
 """Friction of the gait to which runners are matched."""
-HOLD, VARY = ("speed", "apex_height"), ("hip.stance_torque", "hip.touchdown_angle")
-AXES = {"com_height": (0.3, 4.0), "com_speed": (0.0, 4.0)}
-CHOSEN = {"hip.touchdown_angle": (0.1, 1.3, 24)}
-"""Angles that may be chosen at each apex. Four times as many changed no share by more than 0.016."""
+HOLD, VARY = IN_TWO
 CELLS = 64
 BAND, COLOUR = "between the inner and the outer set", "#1f5fa8"
 
@@ -29,7 +27,7 @@ def table(results: Results) -> pandas.DataFrame:
     small = Runner(results.runner, model="reduced")
     unmatched = [small.replace({FRICTION: friction}) for friction in (REFERENCE, *FRICTIONS)]
     runners = [gait.runner for gait in gaits_in(match_gaits(unmatched, HOLD, VARY))]
-    sets = [viability(one, axes=AXES, vary=CHOSEN, n=CELLS, progress=True) for one in runners]
+    sets = [viability(one, axes=VIABLE_PLANE, vary=CHOSEN, n=CELLS, progress=True) for one in runners]
     settings = pandas.DataFrame({of: [one[of] for one in runners] for of in (FRICTION, *VARY)})
     sizes = table_of(
         sets,

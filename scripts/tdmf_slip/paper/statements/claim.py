@@ -19,7 +19,7 @@ from ..matched import match_gait
 Arguments = ParamSpec("Arguments")
 Found = TypeVar("Found")
 TORQUE, ANGLE, THRUST = "hip.stance_torque", "hip.touchdown_angle", "leg.thrust"
-CLAMP = "hip.swing_clamp"
+SLOPE, RATE, CLAMP = "ground.slope", "hip.retraction_rate", "hip.swing_clamp"
 SLIPS, STICKS = 0.2, 10.0
 """Frictions of a runner that slips all the time, and of one whose foot only sticks."""
 
@@ -99,6 +99,8 @@ Cell = Estimate | str
 """A number, or the reason why there is none: "no gait", "no matched runner"."""
 Measure = Callable[[Regime, int], Estimate]
 """Computes a number from regime and seed. If there is none, the message of its RunError becomes the cell."""
+Which = Callable[[Regime], Gait]
+"""The gait of a regime that is measured."""
 Measures = dict[str, tuple[Measure, Measure | None]]
 """How value and control of claims are computed, by the claims' names; without control, None."""
 
@@ -193,14 +195,19 @@ def solved(quantity: Callable[[Regime], float]) -> Measure:
     return lambda regime, seed: Estimate.exact(quantity(regime))
 
 
-def stride_quantity(of: Callable[[Regime], Gait], quantity: str) -> Measure:
+def of(make: Callable[..., Gait], *arguments: object) -> Which:
+    """The gait that a function makes for a regime and further arguments, as in `of(gait, SLIPS)`."""
+    return lambda regime: make(regime, *arguments)
+
+
+def stride_quantity(which: Which, quantity: str) -> Measure:
     """A quantity of a gait's stride."""
-    return solved(lambda regime: of(regime).stride[quantity])
+    return solved(lambda regime: which(regime).stride[quantity])
 
 
-def over_length(of: Callable[[Regime], Gait], quantity: str) -> Measure:
+def over_length(which: Which, quantity: str) -> Measure:
     """A length of a gait's stride, over the free length of the leg."""
-    return solved(lambda regime: of(regime).stride[quantity] / of(regime).runner["leg.free_length"])
+    return solved(lambda regime: which(regime).stride[quantity] / which(regime).runner["leg.free_length"])
 
 
 @cached_with_errors

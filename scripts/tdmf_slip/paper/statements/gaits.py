@@ -1,7 +1,7 @@
 """Claims about gaits: over friction, on friction that falls, on slopes, by thrust, and of least cost."""
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from functools import cache
 from typing import TYPE_CHECKING
 
@@ -18,7 +18,7 @@ from ...optimization.optimize import optimize
 from ...optimization.optimum import Optimum
 from ...variables.table import FRICTION
 from ..along import up_to_turn
-from ..matched import gait_with, match_gait
+from ..matched import IN_TWO, gait_with, match_gait
 from .claim import (
     ANGLE,
     CLAMPED,
@@ -26,15 +26,18 @@ from .claim import (
     HEAVY,
     HUMAN,
     SLIPS,
+    SLOPE,
     STICKS,
     THRUST,
     TORQUE,
     Measure,
     Measures,
     Regime,
+    Which,
     cached_with_errors,
     equal_to,
     gait,
+    of,
     over_length,
     runner_on,
     solved,
@@ -70,11 +73,11 @@ def fastest(regime: Regime) -> Gait:
     return gait_at(near, **{FRICTION: near["speed"].to_series().idxmax()})
 
 
-def _over_sticking(quantity: str, of: Callable[[Regime], Gait]) -> Measure:
+def _over_sticking(quantity: str, which: Which) -> Measure:
     """Change of a quantity from the gait on friction 10 to another runner, in per cent."""
 
     def change(regime: Regime) -> float:
-        return 100.0 * (of(regime).stride[quantity] / gait(regime, STICKS).stride[quantity] - 1.0)
+        return 100.0 * (which(regime).stride[quantity] / gait(regime, STICKS).stride[quantity] - 1.0)
 
     return solved(change)
 
@@ -82,8 +85,8 @@ def _over_sticking(quantity: str, of: Callable[[Regime], Gait]) -> Measure:
 def _changes(cost: str, friction: float) -> tuple[Measure, Measure]:
     """Changes of a cost on a friction, unmatched, and matched to the runner on friction 10."""
     return (
-        _over_sticking(cost, lambda regime: gait(regime, friction)),
-        _over_sticking(cost, lambda regime: runner_on(regime, friction, STICKS)),
+        _over_sticking(cost, of(gait, friction)),
+        _over_sticking(cost, of(runner_on, friction, STICKS)),
     )
 
 
@@ -134,8 +137,7 @@ def _falling(regime: Regime) -> Gait:
     )
 
 
-def _static(regime: Regime) -> Gait:
-    return gait(regime, RATIO * SLIDING)
+_static = of(gait, RATIO * SLIDING)
 
 
 @cached_with_errors
@@ -155,7 +157,6 @@ FALLING: Measures = {
 
 # Slopes: the speed uphill, the steepest slope with a gait, and the steepest on which it is stable
 
-SLOPE = "ground.slope"
 HIGHEST, POINTS = math.radians(30.0), 100
 """Slope up to which branches are followed, rad, and the largest number of their gaits."""
 BIFURCATIONS = (FOLD, PERIOD_DOUBLING, NEIMARK_SACKER)
@@ -218,7 +219,7 @@ SLOPES: Measures = {
     "slope-steepest": (steepest(SLIPS), steepest(STICKS)),
     "slope-top-speed": (
         at_the_top("speed", SLIPS),
-        stride_quantity(lambda regime: gait(regime, SLIPS), "speed"),
+        stride_quantity(of(gait, SLIPS), "speed"),
     ),
     "slope-stable": (stable_to(SLIPS), stable_to(STICKS)),
     "slope-stable-matched": (stable_to(SLIPS), stable_to(STICKS, None, SLIPS)),
@@ -262,11 +263,11 @@ def as_high(regime: Regime) -> Gait:
     """The runner with thrust that has the speed and apex height of the runner driven by torque."""
     reference = by_torque(regime)
     helped = gait_with(reference, THRUST, HELPED * reference.runner["leg.free_length"])
-    return match_gait(reference, helped, ("speed", "apex_height"), (TORQUE, ANGLE))
+    return match_gait(reference, helped, *IN_TWO)
 
 
-def _by_way(of: Callable[[Regime], Gait]) -> Measure:
-    return solved(lambda regime: of(regime).stride["slip_distance"] / of(regime).stride["length"])
+def _by_way(which: Which) -> Measure:
+    return solved(lambda regime: which(regime).stride["slip_distance"] / which(regime).stride["length"])
 
 
 THRUSTS: Measures = {

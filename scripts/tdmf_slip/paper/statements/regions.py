@@ -1,8 +1,7 @@
 """Claims about regions of attraction, viable sets, the reduced map, and feedback from stride to stride."""
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import replace
-from functools import cache
+from functools import cache, partial
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -15,17 +14,17 @@ from ...errors import RunError
 from ...feedback.gains import Feedback, dead_beat, lqr
 from ...library.engine import SETTLED
 from ...library.gait import Gait
-from ...library.ground import RoughGround
 from ...library.laws import AffineLaw
 from ...library.runner import Runner
 from ...library.section import COORDINATES
 from ...variables.table import FRICTION
 from ...viable_sets.viability import viability
-from ..matched import match_gait
+from ..matched import IN_TWO, match_gait
 from .claim import (
     ANGLE,
     HEAVY,
     HUMAN,
+    RATE,
     SLIPS,
     STICKS,
     TORQUE,
@@ -33,14 +32,17 @@ from .claim import (
     Measure,
     Measures,
     Regime,
+    Which,
     cached_with_errors,
     equal_to,
     gait,
+    of,
+    over_length,
     runner_on,
     solved,
 )
 from .gaits import swept
-from .rough_ground import LOW, RATE, faster, foot, mean_strides
+from .rough_ground import STICKING, Design, faster, strides
 
 if TYPE_CHECKING:
     import xarray
@@ -52,8 +54,6 @@ SAMPLES = 4000
 """Starts for each share, drawn from a box in all six coordinates."""
 LIGHT = 0.005
 """Gravity of a runner of half the weight of Table 1."""
-Design = Callable[[Gait], AffineLaw]
-"""Designs a law for a gait."""
 
 
 @cache
@@ -63,29 +63,25 @@ def _share(one: Gait, seed: int, law: AffineLaw | None = None) -> Estimate:
     return Estimate(found.share, *found.interval)
 
 
-def share(friction: float, reference: float | None = None, design: Design | None = None) -> Measure:
-    """Share of the box that settles on the gait. Other runners and laws have other starts than the gait."""
-    other = reference is not None or design is not None
+def share(which: Which, draw: int = 0, design: Design | None = None) -> Measure:
+    """Share of the box that settles on a gait; other numbers `draw` give other starts."""
 
     def measure(regime: Regime, seed: int) -> Estimate:
-        one = runner_on(regime, friction, reference)
-        return _share(one, 2 * seed + other, design and design(one))
+        one = which(regime)
+        return _share(one, 2 * seed + draw, design and design(one))
 
     return measure
 
 
-def _light_gait(regime: Regime, friction: float) -> Gait:
+def _light(regime: Regime, friction: float) -> Gait:
     if regime in (HEAVY, HUMAN):
         raise RunError("not computed")
     return gait(regime, friction, gravity=LIGHT)
 
 
-def _light_share(regime: Regime, seed: int) -> Estimate:
-    return _share(_light_gait(regime, STICKS), 2 * seed)
-
-
-def _light_control(regime: Regime, seed: int) -> Estimate:
-    return _share(equal_to(_light_gait(regime, STICKS), _light_gait(regime, SLIPS)), 2 * seed + 1)
+@cached_with_errors
+def _light_control(regime: Regime) -> Gait:
+    return equal_to(_light(regime, STICKS), _light(regime, SLIPS))
 
 
 @cache
@@ -93,27 +89,26 @@ def _robustness(one: Gait, law: AffineLaw | None) -> Robustness:
     return robustness(one, law=law)
 
 
-def largest(
-    disturbance: str, friction: float, reference: float | None = None, design: Design | None = None
-) -> Measure:
+def largest(disturbance: str, which: Which, design: Design | None = None) -> Measure:
     """The largest disturbance that is recovered from, over the scale of its coordinate."""
 
     def measure(regime: Regime, seed: int) -> Estimate:
-        one = runner_on(regime, friction, reference)
+        one = which(regime)
         found = getattr(_robustness(one, design and design(one)), disturbance)
-        scale = gait(regime, friction).runner.scales[COORDINATES.index(DISTURBED[disturbance])]
-        value = float(found / scale)
+        value = float(found / one.runner.scales[COORDINATES.index(DISTURBED[disturbance])])
         return Estimate(value, min(value, FARTHEST), value)
 
     return measure
 
 
+AS_STICKING = of(runner_on, SLIPS, STICKS)
+"""The slipping runner, matched to the sticking one."""
 ATTRACTION: Measures = {
-    "attraction": (share(STICKS), share(SLIPS, STICKS)),
-    "attraction-light": (_light_share, _light_control),
-    "push-forward": (largest("push_forward", STICKS), largest("push_forward", SLIPS, STICKS)),
-    "step-up": (largest("step_up", STICKS), largest("step_up", SLIPS, STICKS)),
-    "step-down": (largest("step_down", STICKS), largest("step_down", SLIPS, STICKS)),
+    "attraction": (share(STICKING), share(AS_STICKING, 1)),
+    "attraction-light": (share(of(_light, STICKS)), share(_light_control, 1)),
+    "push-forward": (largest("push_forward", STICKING), largest("push_forward", AS_STICKING)),
+    "step-up": (largest("step_up", STICKING), largest("step_up", AS_STICKING)),
+    "step-down": (largest("step_down", STICKING), largest("step_down", AS_STICKING)),
 }
 
 
@@ -127,6 +122,7 @@ VIABLE_PLANES: Mapping[str, Mapping[str, Range]] = {
 }
 """Ranges of height in m and speed in m/s, and by regime where they differ from these."""
 CHOSEN = {ANGLE: (0.1, 1.3, 24)}
+"""Angles that may be chosen at each apex. Four times as many changed no share by more than 0.016."""
 
 
 @cached_with_errors
@@ -135,7 +131,7 @@ def _viable(regime: Regime, friction: float, reference: float | None = None) -> 
     runner = Runner({**regime.values, FRICTION: friction}, model="reduced")
     if reference is not None:
         gaits = periodic_gait(runner.replace({FRICTION: reference})), periodic_gait(runner)
-        runner = match_gait(*gaits, ("speed", "apex_height"), (TORQUE, ANGLE)).runner
+        runner = match_gait(*gaits, *IN_TWO).runner
     return viability(runner, axes=VIABLE_PLANES.get(regime.name, VIABLE_PLANE), vary=CHOSEN, n=VIABLE_CELLS)
 
 
@@ -260,8 +256,6 @@ NEGLIGIBLE = 0.05
 """Size of an eigenvalue that a dead-beat law leaves as it is."""
 ANGLE_REACH, TORQUE_REACH = 0.1, 0.5
 """Largest change of a setting: rad, and as a share of the gait's own torque."""
-NOISE = 0.01
-"""Standard deviation of the sensors' noise, over the scales of the section; smaller where steps are."""
 MAX_STRIDES = 400
 
 
@@ -282,28 +276,22 @@ def _limits(one: Gait, settings: Sequence[str]) -> dict[str, tuple[float, float]
     return {name: (one.runner[name] - reach[name], one.runner[name] + reach[name]) for name in settings}
 
 
-def _strides(friction: float, design: Design | None = None, reference: float | None = None) -> Measure:
-    """Mean number of strides until the fall on steps."""
-
-    def measure(regime: Regime, seed: int) -> Estimate:
-        one, law = runner_on(regime, friction, reference), None
-        if design is not None:
-            noise = (NOISE * regime.step * one.runner.scales).tolist()
-            law = replace(design(one), noise=noise, seed=seed)
-        ground = RoughGround(LOW * regime.step, 3 * seed + (design is not None) + 2 * (reference is not None))
-        return mean_strides(one, ground, max_strides=MAX_STRIDES, law=law)
-
-    return measure
-
+_of_400 = partial(strides, max_strides=MAX_STRIDES)
+BETWEEN, ON_ICE, AS_HIGH = of(runner_on, MODERATE), of(runner_on, SLIPPERY), of(runner_on, MODERATE, SLIPS)
+"""Runners on moderate and on slippery ground, and the one with its foot as high as on friction 0.2."""
+CLEARANCE = over_length(BETWEEN, "foot_clearance")
 
 FEEDBACK: Measures = {
-    "feedback-strides": (_strides(MODERATE, regulator), _strides(MODERATE)),
-    "feedback-without": (largest("step_up", MODERATE), foot("foot_clearance", MODERATE)),
-    "feedback-with": (largest("step_up", MODERATE, design=regulator), foot("foot_clearance", MODERATE)),
-    "feedback-matched": (_strides(MODERATE, reference=SLIPS), _strides(MODERATE)),
-    "feedback-dead-beat": (_strides(SLIPPERY, dead_beat_law), _strides(SLIPPERY)),
-    "feedback-step-down": (largest("step_down", STICKS, design=regulator), largest("step_down", STICKS)),
-    "feedback-attraction": (share(STICKS, design=regulator), share(STICKS)),
+    "feedback-strides": (_of_400(BETWEEN, draw=(3, 1), design=regulator), _of_400(BETWEEN, draw=(3, 0))),
+    "feedback-without": (largest("step_up", BETWEEN), CLEARANCE),
+    "feedback-with": (largest("step_up", BETWEEN, regulator), CLEARANCE),
+    "feedback-matched": (_of_400(AS_HIGH, draw=(3, 2)), _of_400(BETWEEN, draw=(3, 0))),
+    "feedback-dead-beat": (
+        _of_400(ON_ICE, draw=(3, 1), design=dead_beat_law),
+        _of_400(ON_ICE, draw=(3, 0)),
+    ),
+    "feedback-step-down": (largest("step_down", STICKING, regulator), largest("step_down", STICKING)),
+    "feedback-attraction": (share(STICKING, 1, regulator), share(STICKING)),
 }
 
 MEASURES = ATTRACTION | VIABLE | REDUCED | FEEDBACK

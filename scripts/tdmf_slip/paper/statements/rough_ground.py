@@ -2,7 +2,8 @@
 
 import math
 from collections.abc import Callable
-from functools import cache
+from dataclasses import replace
+from functools import cache, partial
 from typing import Any
 
 from scipy.stats import binomtest
@@ -13,19 +14,20 @@ from ...library.gait import Gait
 from ...library.ground import RoughGround, correlated_weights
 from ...library.laws import AffineLaw
 from ...library.runner import Runner
-from ..matched import falls_on_patch, gait_with, match_gait
+from ..matched import IN_TWO, falls_on_patch, gait_with, match_gait
 from .claim import (
-    ANGLE,
+    RATE,
     SLIPS,
     STICKS,
-    TORQUE,
     Estimate,
     Measure,
     Measures,
     Regime,
+    Which,
     cached_with_errors,
     equal_to,
     gait,
+    of,
     over_length,
     runner_on,
     solved,
@@ -43,15 +45,15 @@ CORRELATION = 0.7
 """Correlation of each step with the step before: such ground goes on rising or falling."""
 SEGMENT = 5.0
 """Length of a level segment, l0."""
+NOISE = 0.01
+"""Standard deviation of the sensors' noise, over the scales of the section; smaller where steps are."""
+Design = Callable[[Gait], AffineLaw]
+"""Designs a law for a gait."""
 
 
 @cache
-def mean_strides(
-    one: Gait,
-    ground: RoughGround,
-    runners: int = RUNNERS,
-    max_strides: int = MAX_STRIDES,
-    law: AffineLaw | None = None,
+def _mean_strides(
+    one: Gait, ground: RoughGround, runners: int, max_strides: int, law: AffineLaw | None
 ) -> Estimate:
     """Mean number of strides until the fall of runners that begin on a gait."""
     found = strides_to_fall(one.runner, ground, runners, max_strides=max_strides, gait=one, law=law)
@@ -59,25 +61,28 @@ def mean_strides(
 
 
 def strides(
-    friction: float,
-    roughness: float,
-    reference: float | None = None,
+    which: Which,
+    roughness: float = LOW,
+    draw: tuple[int, int] = (2, 0),
     *,
-    correlation: float = 0.0,
-    segment: float = 0.0,
-    trips: bool = False,
+    runners: int = RUNNERS,
+    max_strides: int = MAX_STRIDES,
+    design: Design | None = None,
+    **ground: Any,
 ) -> Measure:
-    """Mean number of strides until the fall of the runner of `runner_on`."""
+    """Mean number of strides of a runner until its fall, under a law of `design` with noisy sensors.
+
+    The ground is drawn by the seed times the first number of `draw` plus the second one; values and
+    controls have independent ground.
+    """
 
     def measure(regime: Regime, seed: int) -> Estimate:
-        ground = RoughGround(
-            roughness * regime.step,
-            2 * seed + (reference is not None),  # value and control have independent ground
-            correlated_weights(correlation),
-            segment_length=segment,
-            trips=trips,
-        )
-        return mean_strides(runner_on(regime, friction, reference), ground)
+        one, law = which(regime), None
+        if design is not None:
+            noise = (NOISE * regime.step * one.runner.scales).tolist()
+            law = replace(design(one), noise=noise, seed=seed)
+        steps = RoughGround(roughness * regime.step, draw[0] * seed + draw[1], **ground)
+        return _mean_strides(one, steps, runners, max_strides, law)
 
     return measure
 
@@ -89,36 +94,34 @@ def rarely(regime: Regime, seed: int) -> Estimate:
     return Estimate.of_strides(found)
 
 
-def foot(quantity: str, friction: float, reference: float | None = None) -> Measure:
-    """A height of the foot above the ground, over the leg's length."""
-    return over_length(lambda regime: runner_on(regime, friction, reference), quantity)
-
-
 def _matched(friction: float, **ground: Any) -> tuple[Measure, Measure]:
     """Strides on a friction, and those of the sticking runner matched to it."""
-    return strides(friction, LOW, **ground), strides(STICKS, LOW, friction, **ground)
+    control = strides(of(runner_on, STICKS, friction), draw=(2, 1), **ground)
+    return strides(of(runner_on, friction), **ground), control
 
 
+SLIPPING, STICKING, AS_SLIPPING = of(runner_on, SLIPS), of(runner_on, STICKS), of(runner_on, STICKS, SLIPS)
+"""The runners that slip and stick, and the sticking one matched to the slipping one."""
 ROUGH: Measures = {
-    "steps-as-they-come": (strides(SLIPS, LOW), strides(STICKS, LOW)),
-    "clearance": (foot("foot_clearance", SLIPS), foot("foot_clearance", STICKS)),
+    "steps-as-they-come": (strides(SLIPPING), strides(STICKING)),
+    "clearance": (over_length(SLIPPING, "foot_clearance"), over_length(STICKING, "foot_clearance")),
     "steps-matched": _matched(SLIPS),
     "steps-matched-0.6": _matched(0.6),
-    "steps-matched-to-sticking": (strides(SLIPS, LOW, STICKS), strides(STICKS, LOW)),
+    "steps-matched-to-sticking": (strides(of(runner_on, SLIPS, STICKS), draw=(2, 1)), strides(STICKING)),
     "steps-foot-height": (
-        foot("greatest_foot_height", SLIPS),
-        foot("greatest_foot_height", STICKS, SLIPS),
+        over_length(SLIPPING, "greatest_foot_height"),
+        over_length(AS_SLIPPING, "greatest_foot_height"),
     ),
     "steps-that-trip": _matched(SLIPS, trips=True),
-    "steps-rare": (rarely, strides(STICKS, LOWER, SLIPS)),
-    "steps-correlated": _matched(SLIPS, correlation=CORRELATION),
-    "segments": _matched(SLIPS, segment=SEGMENT),
+    "steps-rare": (rarely, strides(AS_SLIPPING, LOWER, (2, 1))),
+    "steps-correlated": _matched(SLIPS, step_weights=correlated_weights(CORRELATION)),
+    "segments": _matched(SLIPS, segment_length=SEGMENT),
 }
 
 
 # A slippery patch, on level ground and downhill: the share of runners that fall
 
-SLOPE = -4.0
+DOWNHILL = -4.0
 """Slope, degrees."""
 ON_PATCH, LENGTH = 0.02, 300.0
 """Friction of the patch, and its length, l0."""
@@ -134,27 +137,27 @@ def on_slope(regime: Regime, friction: float, degrees: float) -> Gait:
 
 def as_fast(regime: Regime) -> Gait:
     """The runner downhill on grippy ground with speed and apex height of the one on slippery ground."""
-    one, reference = (on_slope(regime, friction, SLOPE) for friction in (GRIPPY_GROUND, SLIPPERY_GROUND))
-    return match_gait(reference, one, ("speed", "apex_height"), (TORQUE, ANGLE))
+    one, reference = (on_slope(regime, friction, DOWNHILL) for friction in (GRIPPY_GROUND, SLIPPERY_GROUND))
+    return match_gait(reference, one, *IN_TWO)
 
 
-def share_that_falls(of: Callable[[Regime], Gait]) -> Measure:
+def share_that_falls(which: Which) -> Measure:
     """Share of runners that fall on the patch or within so many strides beyond it."""
 
     @cache
     def measure(regime: Regime, seed: int) -> Estimate:
-        falls = falls_on_patch(of(regime), ON_PATCH, LENGTH, PATCH_RUNNERS, seed)
+        falls = falls_on_patch(which(regime), ON_PATCH, LENGTH, PATCH_RUNNERS, seed)
         interval = binomtest(falls, PATCH_RUNNERS).proportion_ci()
         return Estimate(falls / PATCH_RUNNERS, interval.low, interval.high)
 
     return measure
 
 
-grippy_downhill = share_that_falls(lambda regime: on_slope(regime, GRIPPY_GROUND, SLOPE))
-slippery_downhill = share_that_falls(lambda regime: on_slope(regime, SLIPPERY_GROUND, SLOPE))
+grippy_downhill = share_that_falls(of(on_slope, GRIPPY_GROUND, DOWNHILL))
+slippery_downhill = share_that_falls(of(on_slope, SLIPPERY_GROUND, DOWNHILL))
 
 PATCHES: Measures = {
-    "patch-level": (share_that_falls(lambda regime: on_slope(regime, GRIPPY_GROUND, 0.0)), grippy_downhill),
+    "patch-level": (share_that_falls(of(on_slope, GRIPPY_GROUND, 0.0)), grippy_downhill),
     "patch-downhill": (grippy_downhill, slippery_downhill),
     "patch-matched": (share_that_falls(as_fast), slippery_downhill),
 }
@@ -162,7 +165,6 @@ PATCHES: Measures = {
 
 # Retraction of the leg before touchdown: eigenvalue of height, and strides on rough ground
 
-RATE = "hip.retraction_rate"
 RETRACTS = 0.008
 """Rate of retraction over sqrt(k/m)."""
 RETRACTING_RUNNERS, RETRACTING_STRIDES = 400, 400
@@ -193,39 +195,30 @@ def equal(regime: Regime, friction: float, angle: str | None = None) -> Gait:
     return equal_to(plain(regime, friction, angle), retracting(regime, friction, angle))
 
 
-Which = Callable[[Regime, float, str | None], Gait]
-
-
-def height(which: Which, friction: float, angle: str | None = None) -> Measure:
+def height(which: Which) -> Measure:
     """Real part of the eigenvalue that belongs to height: the lesser of the two of largest size."""
-    return solved(lambda regime: float(min(which(regime, friction, angle).eigenvalues[:2].real)))
+    return solved(lambda regime: float(min(which(regime).eigenvalues[:2].real)))
 
 
-def slip(which: Which) -> Measure:
-    """Slip distance in a stride, over the leg's length."""
-    return over_length(lambda regime: which(regime, SLIPS, None), "slip_distance")
+def _heights(made: Callable[..., Gait], friction: float, angle: str | None = None) -> tuple[Measure, Measure]:
+    """The eigenvalue of height of a runner that retracts its leg, and of the plain one."""
+    return height(of(made, friction, angle)), height(of(plain, friction, angle))
 
 
-def strides_of(which: Which) -> Measure:
-    """Mean number of strides until the fall on steps."""
-
-    def measure(regime: Regime, seed: int) -> Estimate:
-        ground = RoughGround(LOW * regime.step, 2 * seed + (which is not plain))
-        return mean_strides(which(regime, SLIPS, None), ground, RETRACTING_RUNNERS, RETRACTING_STRIDES)
-
-    return measure
-
+PLAIN, RETRACTING, EQUAL = (of(made, SLIPS, None) for made in (plain, retracting, equal))
+"""Runners that slip: plain, retracting, and retracting with speed, height and leg angle of the plain one."""
+_of_many = partial(strides, runners=RETRACTING_RUNNERS, max_strides=RETRACTING_STRIDES)
 
 RETRACTION: Measures = {
-    "retraction-height": (height(retracting, STICKS), height(plain, STICKS)),
-    "retraction-height-slips": (height(retracting, SLIPS), height(plain, SLIPS)),
-    "retraction-height-flat": (height(retracting, STICKS, FLAT), height(plain, STICKS, FLAT)),
-    "retraction-height-matched": (height(equal, STICKS), height(plain, STICKS)),
-    "retraction-height-matched-0.6": (height(equal, 0.6), height(plain, 0.6)),
-    "retraction-height-matched-0.2": (height(equal, SLIPS), height(plain, SLIPS)),
-    "retraction-steps": (strides_of(retracting), strides_of(plain)),
-    "retraction-steps-matched": (strides_of(equal), strides_of(plain)),
-    "retraction-slip-matched": (slip(equal), slip(plain)),
+    "retraction-height": _heights(retracting, STICKS),
+    "retraction-height-slips": _heights(retracting, SLIPS),
+    "retraction-height-flat": _heights(retracting, STICKS, FLAT),
+    "retraction-height-matched": _heights(equal, STICKS),
+    "retraction-height-matched-0.6": _heights(equal, 0.6),
+    "retraction-height-matched-0.2": _heights(equal, SLIPS),
+    "retraction-steps": (_of_many(RETRACTING, draw=(2, 1)), _of_many(PLAIN)),
+    "retraction-steps-matched": (_of_many(EQUAL, draw=(2, 1)), _of_many(PLAIN)),
+    "retraction-slip-matched": (over_length(EQUAL, "slip_distance"), over_length(PLAIN, "slip_distance")),
 }
 
 MEASURES = ROUGH | PATCHES | RETRACTION
