@@ -53,7 +53,7 @@ def test_a_dataset_that_is_not_whole_is_refused(gait):
         tdmf_slip.plot(made.drop_vars("fate"))
     with pytest.raises(tdmf_slip.InputError, match=r"strides over 1 dimensions; allowed: 2, see"):
         tdmf_slip.plot(made.isel(stride=0))
-    with pytest.raises(tdmf_slip.InputError, match="int has no picture"):
+    with pytest.raises(tdmf_slip.InputError, match="int cannot be drawn"):
         tdmf_slip.plot(3)
     cube = tdmf_slip.sweep(None, {"friction": [0.6], "damping": [0.2], "torque": [0.2]}).gaits
     with pytest.raises(tdmf_slip.InputError, match="sweep over 3 dimensions; allowed: 1 or 2"):
