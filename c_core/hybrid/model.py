@@ -364,9 +364,9 @@ class Model(metaclass=_Page):
         found.dimension = dimension_of(unit)
         return found
 
-    def margin_of(self, unit):
-        """Margin of decisions about a quantity in this unit."""
-        return MARGINS["zero"] * self.scales.get(unit, lambda model: 1)(self)
+    def margin_of(self, unit, name="zero"):
+        """Margin of decisions about a quantity in this unit; `late` is that of an event just taken."""
+        return MARGINS[name] * self.scales.get(unit, lambda model: 1)(self)
 
     def replace(self, **changes):
         """The model in the same mode, with other words and states."""

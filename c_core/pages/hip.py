@@ -44,6 +44,9 @@ class Hip(Model):
     placing = state(
         0, "s", "Time since the phase place began; 0 in other phases", name="hip.place_time", least=0)
     touchdown_time = state(0, "s", "Time of the last impact")
+    has_hopped = state(
+        0, "1", "1 once the flight law has hardly lifted the foot at a lift-off, else 0", values=bool)
+    hop_time = state(0, "s", "Time of the last lift-off at which the flight law hardly lifted the foot")
     was_placed = state(0, "1", "1 if the leg was being placed at the last impact, else 0", values=bool)
     placed_for = state(0, "s", "Time in place at the last impact", least=0)
     rises_again = state(

@@ -192,6 +192,11 @@ class Leg(Model):
                       vx=foot.vx + share * body.vx, vy=foot.vy + share * body.vy)
 
     def body(r):
-        """Position and velocity of the body."""
-        foot, body = r.foot(), r.body_from_foot()
+        """Position and velocity of the body. In flight a light foot may be millions of times as fast."""
+        body = r.body_from_foot()
+        if r.seen_in == "flight":
+            share = r.foot_mass / (r.body_mass + r.foot_mass)
+            return Record(x=r.com_x + share * body.x, y=r.com_y + share * body.y,
+                          vx=r.com_vx + share * body.vx, vy=r.com_vy + share * body.vy)
+        foot = r.foot()
         return Record(x=foot.x + body.x, y=foot.y + body.y, vx=foot.vx + body.vx, vy=foot.vy + body.vy)

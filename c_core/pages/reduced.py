@@ -12,7 +12,7 @@ class ReducedRunner(RunnerOnOneLine):
     """
 
     friction_rate = extension_rate = external_fx_rate = external_fy_rate = external_torque_rate = 0
-    kp = kd = liftoff_factor = swing_clamp = was_placed = placed_for = rises_again = 0
+    kp = kd = liftoff_factor = swing_clamp = was_placed = placed_for = rises_again = has_hopped = hop_time = 0
     positive_leg_work = greatest_slip_velocity = greatest_foot_height = squared_torque = 0
     slip_velocity = height_of_foot = square_of_torque = None
     graze = wind_rises = new_ground = apex_in_graze = clamp = release = ramp_ends = None

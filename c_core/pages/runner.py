@@ -8,6 +8,13 @@ from .leg import Leg
 from .stride import Stride
 
 
+HIGHEST_HOP = 1e-6
+"""Lift of the flight law, over k l0, up to which a hop may last no time.
+
+A stronger lift can only end at once by rounding errors of a foot that is far away.
+"""
+
+
 class Runner(Hip, Friction, Leg, Ground, Stride, Model):
     """The whole runner. `PlainRunner` below leaves out everything but level ground."""
 
@@ -189,11 +196,10 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
 
     def contact(r, foot_velocity, **changes):
         """Contact with this velocity of the foot along the ground; the body keeps its velocity."""
-        foot = r.foot()
-        before = r.on_line(foot.vx, foot.vy)
+        body = r.body()
+        kept = r.on_line(body.vx, body.vy)
         landed = r.to("stick", **changes)
-        vx = landed.vx + before.along - foot_velocity
-        return landed.replace(foot_vx=foot_velocity, vx=vx, vy=landed.vy + before.off)
+        return landed.replace(foot_vx=foot_velocity, vx=kept.along - foot_velocity, vy=kept.off)
 
     def land(r, was_placed):
         """Inelastic impact of the foot, with the impulse of friction along the ground  (4)-(6)."""
@@ -273,7 +279,13 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
 
     @event("flight", when=lambda r: r.foot_above(r.height, r.slope), unit="m")
     def touchdown(r):
-        """The foot reaches the ground."""
+        """The foot reaches the ground.
+
+        Where the lift of the flight law vanishes, shorter and shorter hops follow each other. After one of
+        no time the foot grazes, until the flight law has ceased to lift it and lifts it again.
+        """
+        if r.has_hopped > 0 and r.time <= r.hop_time:
+            return r.to("graze")
         return r.land(was_placed=r.is_placing())
 
     @event("flight graze", when=lambda r: r.retracting_torque(), unit="N.m", counted=False,
@@ -306,10 +318,12 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
         A foot that is hardly lifted grazes, too: the guard of its flight decides by its rate. Not so below
         an upright leg, whose torque does not act along the normal.
         """
-        leans = r.x**2 > (1e-6 * r.free_length) ** 2
-        off, hardly = r.swinging(), select(leans, 1000, -1) * r.margin_of("N")
-        if off.flight_lifts() < -hardly:
-            return off.fly()
+        off, leans = r.swinging(), r.x**2 > (1e-6 * r.free_length) ** 2
+        lift, hardly = -off.flight_lifts(), select(leans, r.margin_of("N", "late"), -r.margin_of("N"))
+        hops = select(leans, HIGHEST_HOP * r.scales["N"](r) - lift, -1)
+        if lift > hardly:
+            hopped, hop_time = select(hops > 0, 1, r.has_hopped), select(hops > 0, r.time, r.hop_time)
+            return off.replace(has_hopped=hopped, hop_time=hop_time).fly()
         return off.to("graze")
 
     @event("slip", law="constant", unit="1", counted=False, only=lambda r: r.friction_falls(),
@@ -351,7 +365,8 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
         r = r.replace(placing=0, **r.kept_in_stance(r.neighbours()))
         return r.slide(select(r.foot_vx > 0, 1, -1)) if abs(r.foot_vx) > 0 else r.resting()
 
-    @event("graze", when=lambda r: r.flight_lifts(), unit="N", only=lambda r: not r.in_stance())
+    @event("graze", when=lambda r: r.flight_lifts(), unit="N", only=lambda r: not r.in_stance(),
+           crossing=lambda r: r.has_hopped > 0 and r.mode_began <= r.hop_time)
     def graze_to_flight(r):
         """The flight law lifts the foot."""
         return r.fly()

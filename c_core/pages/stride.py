@@ -12,7 +12,7 @@ class Stride(Model):
     """Gait word, durations, works and peaks, and the section at the last apex."""
 
     prefix = "stride"
-    time = clock(held_in="last_event mode_began touchdown_time apex_time")
+    time = clock(held_in="last_event mode_began touchdown_time hop_time apex_time")
     events = state(0, "1", "Changes of contact and phase since the start", name="event.count", values=int,
         least=0)
     last_event = state(0, "s", "Time of the last change of contact or phase", name="event.last_time")

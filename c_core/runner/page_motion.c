@@ -27,7 +27,7 @@ static void write_rates(const tdmf_inputs *rates, runner_states *x) {
 
 /* Sets the clock of the page where the caller has set the time of the motion anew. An event later than the
  * clock would keep the next events from counting. A touchdown at this instant counts as earlier than the
- * call.
+ * call, and so does a hop.
  */
 static void read_clock(const tdmf_motion *motion, tdmf_page_point *point) {
     runner_states *x = &point->x;
@@ -35,6 +35,7 @@ static void read_clock(const tdmf_motion *motion, tdmf_page_point *point) {
         point->rest = motion->clock_rest;
     } else {
         x->time = motion->time - motion->begun;
+        x->hop_time = fmin(x->hop_time, nextafter(x->time, -INFINITY));
     }
     point->time = x->time;
     x->last_event = fmin(x->last_event, x->time);
@@ -46,7 +47,7 @@ static void read_clock(const tdmf_motion *motion, tdmf_page_point *point) {
 /* Sets the clock of the page, and the times of events at this instant, to the time of the run, which is
  * rounded less. */
 static void write_clock(double time, runner_states *x) {
-    double *const times[] = {&x->last_event, &x->mode_began, &x->apex_time, &x->touchdown_time};
+    double *const times[] = {&x->last_event, &x->mode_began, &x->apex_time, &x->touchdown_time, &x->hop_time};
     for (size_t i = 0; i < sizeof times / sizeof *times; ++i) {
         *times[i] = *times[i] == x->time ? time : *times[i];
     }

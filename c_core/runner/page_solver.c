@@ -47,7 +47,9 @@ tdmf_guard tdmf_guard_of_event(int event) {
     }
 }
 
-static tdmf_outcome outcome_of(tdmf_run_outcome outcome) {
+/* Events that go on at an instant of the clock are a chain if no step was made, else steps too short for it.
+ */
+static tdmf_outcome outcome_of(const tdmf_page_solver *s, tdmf_run_outcome outcome) {
     switch (outcome) {
     case TDMF_RUN_ARRIVED:
     case TDMF_RUN_STOPPED:
@@ -57,6 +59,7 @@ static tdmf_outcome outcome_of(tdmf_run_outcome outcome) {
     case TDMF_RUN_TOO_MANY_STEPS:
         return TDMF_TOO_MANY_STEPS;
     case TDMF_RUN_ENDLESS_CHAIN:
+        return s->run.run.steps > s->chain_began ? TDMF_TOO_STIFF : TDMF_TOO_MANY_EVENTS;
     case TDMF_RUN_TOO_MANY_EVENTS:
         return TDMF_TOO_MANY_EVENTS;
     default:
@@ -73,6 +76,7 @@ void tdmf_begin_page_solver(tdmf_page_solver *s, tdmf_solver *solver, tdmf_syste
     tdmf_begin_runner_run(&s->run, point, is_plain);
     s->last_mode = point->mode;
     s->span_began = point->time;
+    s->chain_began = 0;
     s->has_stopped = s->stays_on_guard = s->has_event = s->is_counted = false;
     tdmf_page_run *r = &s->run.run;
     r->tolerance = solver->relative_tolerance;
@@ -193,6 +197,7 @@ static tdmf_run_outcome to_event(tdmf_page_solver *s, working_memory *w, double 
         s->last_mode = tdmf_mode_in_whole(s->run.page, mode);
     }
     const tdmf_guard guard = guard_of_row(s, &row);
+    s->chain_began = r->chain > 1 ? s->chain_began : r->steps;
     count_event(s, guard);
     if (notes) {
         before = s->run;
@@ -288,7 +293,7 @@ tdmf_outcome tdmf_run_page_solver(tdmf_page_solver *s, double until, int stop_ev
     report_event(s);
     count_work(s->solver, r, steps);
     if (!stands || s->has_stopped) {
-        return outcome_of(outcome);
+        return outcome_of(s, outcome);
     }
     const bool is_over = !(until - r->time - r->time_rest > 0.0);
     return is_over ? TDMF_ARRIVED : limit != TDMF_ARRIVED ? limit : TDMF_TOO_MANY_EVENTS;

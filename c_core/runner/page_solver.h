@@ -18,6 +18,7 @@ typedef struct {
     int last_mode;     /* the whole page's mode before the fall */
     double span_began; /* page time since which steps are counted against TDMF_STIFFNESS_LIMIT */
     long events_left;  /* rest of the solver's event limit */
+    long chain_began;  /* number of steps at the first event of the chain that the last event belongs to */
     bool is_counted;   /* the chain in zero time that the last event belongs to */
     bool has_event;
     tdmf_event event;    /* the last, if there is one: the chain that it begins may go on */

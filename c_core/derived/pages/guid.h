@@ -1,1 +1,1 @@
-#define FMU_GUID "{13c24ca7-f686-0469-8c29-fc4b006b5893}"
+#define FMU_GUID "{e23ddc60-4693-084b-0126-09112419ab9c}"

@@ -536,7 +536,8 @@ static int react_flight_touchdown(const real *parameters, const real *states, co
     const plain_reduced_runner_states *x = (const void *)states;
     plain_reduced_runner_states *y = (void *)after;
     (void)tables;
-    const real share = p->body_mass / (p->body_mass + p->foot_mass);
+    const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
+    const real share = p->body_mass / body_mass_plus_foot_mass;
     const real sine = real_sin(x->angle);
     const real turn = x->momentum / x->length;
     const real cosine = real_cos(x->angle);
@@ -556,8 +557,10 @@ static int react_flight_touchdown(const real *parameters, const real *states, co
     const real sum_2 = x->com_x + share * length_times_sine;
     const real x_2 = -length_times_sine;
     const real y_2 = x->length * cosine;
-    const real vx_plus_along_minus_after = vx + along - after_2;
-    const real vy_plus_off = vy + off;
+    const real foot_mass_over_body_mass_plus_foot_mass = p->foot_mass / body_mass_plus_foot_mass;
+    const real com_vx_plus_product_minus_after = x->com_vx + foot_mass_over_body_mass_plus_foot_mass * vx
+        - after_2;
+    const real com_vy_plus_product = x->com_vy + foot_mass_over_body_mass_plus_foot_mass * vy;
     const real angle_minus_length_times_sineatan2_of_y = x->angle - real_atan2(length_times_sine, y_2);
     const real speeds = along * along + off * off - after_2 * after_2;
     const real lost = 0.5 * (p->foot_mass * speeds);
@@ -568,8 +571,8 @@ static int react_flight_touchdown(const real *parameters, const real *states, co
     y->bar_is_due = 1.0;
     y->x_ = x_2;
     y->y_ = y_2;
-    y->vx = vx_plus_along_minus_after;
-    y->vy = vy_plus_off;
+    y->vx = com_vx_plus_product_minus_after;
+    y->vy = com_vy_plus_product;
     y->foot_x = sum_2;
     y->foot_vx = after_2;
     y->winding = angle_minus_length_times_sineatan2_of_y;
@@ -609,7 +612,8 @@ static void vary_react_flight_touchdown(const real *parameters, const real *stat
     const real speed_left = way_times_along + friction_times_off;
     const real speed_after_impact = select(way_times_along <= stopped_speed, 0.0, speed_left);
     const real after_2 = way * speed_after_impact;
-    const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
+    const real body_mass_plus_foot_mass_2 = dp->body_mass + dp->foot_mass;
+    const real d_share = (dp->body_mass - share * body_mass_plus_foot_mass_2) / body_mass_plus_foot_mass;
     const real length_times_sine = x->length * sine;
     const real d_sine = cosine * dx->angle;
     const real sum_2 = dx->length * sine + x->length * d_sine;
@@ -617,6 +621,9 @@ static void vary_react_flight_touchdown(const real *parameters, const real *stat
     const real d_x = -sum_2;
     const real sine_times_angle = sine * dx->angle;
     const real d_y = dx->length * cosine - x->length * sine_times_angle;
+    const real foot_mass_over_body_mass_plus_foot_mass = p->foot_mass / body_mass_plus_foot_mass;
+    const real ratio = (dp->foot_mass
+        - foot_mass_over_body_mass_plus_foot_mass * body_mass_plus_foot_mass_2) / body_mass_plus_foot_mass;
     const real d_turn = (dx->momentum - turn * dx->length) / x->length;
     const real d_vx = -(dx->length_rate * sine + x->length_rate * d_sine) - (d_turn * cosine
         - turn * sine_times_angle);
@@ -627,10 +634,11 @@ static void vary_react_flight_touchdown(const real *parameters, const real *stat
     const real d_speed_left = way * d_along + (dx->friction * off + x->friction * d_off);
     const real d_speed_after_impact = select(way_times_along <= stopped_speed, 0.0, d_speed_left);
     const real d_after = way * d_speed_after_impact;
-    const real d_vx_plus_d_along_minus_d_after = d_vx + d_along - d_after;
-    const real d_vy_plus_d_off = d_vy + d_off;
+    const real sum_3 = dx->com_vx + (ratio * vx + foot_mass_over_body_mass_plus_foot_mass * d_vx) - d_after;
+    const real com_vy_plus_ratio_times_vy_plus_product = dx->com_vy + (ratio * vy
+        + foot_mass_over_body_mass_plus_foot_mass * d_vy);
     const real y_2 = x->length * cosine;
-    const real sum_3 = dx->angle - (y_2 * sum_2
+    const real sum_4 = dx->angle - (y_2 * sum_2
         - length_times_sine * d_y) / (length_times_sine * length_times_sine + y_2 * y_2);
     const real speeds = along * along + off * off - after_2 * after_2;
     const real d_speeds = 2.0 * (along * d_along) + 2.0 * (off * d_off) - 2.0 * (after_2 * d_after);
@@ -641,11 +649,11 @@ static void vary_react_flight_touchdown(const real *parameters, const real *stat
     y->bar_is_due = 0.0;
     y->x_ = d_x;
     y->y_ = d_y;
-    y->vx = d_vx_plus_d_along_minus_d_after;
-    y->vy = d_vy_plus_d_off;
+    y->vx = sum_3;
+    y->vy = com_vy_plus_ratio_times_vy_plus_product;
     y->foot_x = com_x_plus_sum;
     y->foot_vx = d_after;
-    y->winding = sum_3;
+    y->winding = sum_4;
     y->impact_loss = impact_loss_plus_d_lost;
     y->driving = 0.0;
     y->placing = 0.0;

@@ -39,8 +39,9 @@ static int react_start_of_run_begins(const real *parameters, const real *states,
         const real after_2 = way * speed_after_impact;
         const real touchdowns_so_far_plus_by_1 = x->touchdowns_so_far + 1.0;
         const real x_2 = -length_times_sine;
-        const real vx_plus_seen_vx_minus_after = vx + x->seen_vx - after_2;
-        const real vy_plus_seen_vy = vy + x->seen_vy;
+        const real along = x->seen_vx + vx;
+        const real along_minus_after = along - after_2;
+        const real off = x->seen_vy + vy;
         const real angle_minus_length_times_sineatan2_of_y = x->angle - real_atan2(length_times_sine, y_2);
         const real speeds = x->seen_vx * x->seen_vx + x->seen_vy * x->seen_vy - after_2 * after_2;
         const real lost = 0.5 * (p->foot_mass * speeds);
@@ -51,8 +52,8 @@ static int react_start_of_run_begins(const real *parameters, const real *states,
         y->bar_is_due = 1.0;
         y->x_ = x_2;
         y->y_ = y_2;
-        y->vx = vx_plus_seen_vx_minus_after;
-        y->vy = vy_plus_seen_vy;
+        y->vx = along_minus_after;
+        y->vy = off;
         y->foot_x = x->seen_x;
         y->foot_vx = after_2;
         y->winding = angle_minus_length_times_sineatan2_of_y;
@@ -154,8 +155,9 @@ static void vary_react_start_of_run_begins(const real *parameters, const real *s
         const real d_speed_left = way * dx->seen_vx + (dx->friction * x->seen_vy + x->friction * dx->seen_vy);
         const real d_speed_after_impact = select(way_times_seen_vx <= stopped_speed, 0.0, d_speed_left);
         const real d_after = way * d_speed_after_impact;
-        const real d_vx_plus_seen_vx_minus_d_after = d_vx + dx->seen_vx - d_after;
-        const real d_vy_plus_seen_vy = d_vy + dx->seen_vy;
+        const real d_along = dx->seen_vx + d_vx;
+        const real d_along_minus_d_after = d_along - d_after;
+        const real d_off = dx->seen_vy + d_vy;
         const real sum_3 = dx->angle - (y_2 * sum_2
             - length_times_sine * d_y) / (length_times_sine * length_times_sine + y_2 * y_2);
         const real speeds = x->seen_vx * x->seen_vx + x->seen_vy * x->seen_vy - after_2 * after_2;
@@ -168,8 +170,8 @@ static void vary_react_start_of_run_begins(const real *parameters, const real *s
         y->bar_is_due = 0.0;
         y->x_ = d_x;
         y->y_ = d_y;
-        y->vx = d_vx_plus_seen_vx_minus_d_after;
-        y->vy = d_vy_plus_seen_vy;
+        y->vx = d_along_minus_d_after;
+        y->vy = d_off;
         y->foot_x = dx->seen_x;
         y->foot_vx = d_after;
         y->winding = sum_3;
@@ -513,13 +515,15 @@ static int react_slip_constant_lift_off(const real *parameters, const real *stat
     const real kd_times_angle_rate = p->kd * angle_rate;
     const real foot_mass_times_gravity = p->foot_mass * p->gravity;
     const real by_1eminus_06_times_free_length = 1e-06 * p->free_length;
-    const real hardly = 1e-12 * (p->stiffness * p->free_length) * select(x__times_x_ >
-        by_1eminus_06_times_free_length * by_1eminus_06_times_free_length, 1000.0, -1.0);
-    const real minus_hardly = -hardly;
+    const real product_2 = by_1eminus_06_times_free_length * by_1eminus_06_times_free_length;
+    const real stiffness_times_free_length = p->stiffness * p->free_length;
+    const real hardly = select(x__times_x_ > product_2, 1e-09 * stiffness_times_free_length,
+        -(1e-12 * stiffness_times_free_length));
     const real x_2 = x->foot_x + share * x->x_;
     const real y_2 = share * x->y_;
     const real along = x->foot_vx + share * x->vx;
     const real goes_on_times_placed_for = goes_on * x->placed_for;
+    const real product_3 = 1e-06 * stiffness_times_free_length;
     y->liftoff_angle = angle;
     y->placing = goes_on_times_placed_for;
     y->rises_again = goes_on;
@@ -529,8 +533,12 @@ static int react_slip_constant_lift_off(const real *parameters, const real *stat
         const real turning = swing_torque / square;
         const real off = axial_times_y_ + turning * x->x_;
         const real normal = off + foot_mass_times_gravity;
+        const real lift = -normal;
         y->swing = 2.0;
-        if (normal < minus_hardly) {
+        if (lift > hardly) {
+            const real hops = select(x__times_x_ > product_2, product_3 + normal, -1.0);
+            const real hopped = select(hops > 0.0, 1.0, x->has_hopped);
+            const real hop_time = select(hops > 0.0, x->time, x->hop_time);
             y->length = length;
             y->angle = angle;
             y->length_rate = length_rate;
@@ -540,6 +548,8 @@ static int react_slip_constant_lift_off(const real *parameters, const real *stat
             y->com_vy = rise;
             y->momentum = moment;
             y->thrusting = 0.0;
+            y->has_hopped = hopped;
+            y->hop_time = hop_time;
             return next[0]; /* flight */
         }
         return next[1]; /* graze */
@@ -550,7 +560,9 @@ static int react_slip_constant_lift_off(const real *parameters, const real *stat
         const real flight_lifts = axial_times_y_ + x->external_torque / square * x->x_
             + foot_mass_times_gravity;
         y->swing = 0.0;
-        if (flight_lifts < minus_hardly) {
+        if (-flight_lifts > hardly) {
+            const real product_plus_flight_lifts_or_by_minus_1 = select(x__times_x_ > product_2, product_3
+                + flight_lifts, -1.0);
             y->length = length;
             y->angle = angle;
             y->length_rate = length_rate;
@@ -560,13 +572,17 @@ static int react_slip_constant_lift_off(const real *parameters, const real *stat
             y->com_vy = rise;
             y->momentum = moment;
             y->thrusting = 0.0;
+            y->has_hopped = select(product_plus_flight_lifts_or_by_minus_1 > 0.0, 1.0, x->has_hopped);
+            y->hop_time = select(product_plus_flight_lifts_or_by_minus_1 > 0.0, x->time, x->hop_time);
             return next[0]; /* flight */
         }
         return next[1]; /* graze */
     }
+    const real sum_2 = axial_times_y_ + (x->external_torque + retracting_torque) / square * x->x_
+        + foot_mass_times_gravity;
     y->swing = 1.0;
-    if (axial_times_y_ + (x->external_torque + retracting_torque) / square * x->x_
-        + foot_mass_times_gravity < minus_hardly) {
+    if (-sum_2 > hardly) {
+        const real product_plus_sum_or_by_minus_1 = select(x__times_x_ > product_2, product_3 + sum_2, -1.0);
         y->length = length;
         y->angle = angle;
         y->length_rate = length_rate;
@@ -576,6 +592,8 @@ static int react_slip_constant_lift_off(const real *parameters, const real *stat
         y->com_vy = rise;
         y->momentum = moment;
         y->thrusting = 0.0;
+        y->has_hopped = select(product_plus_sum_or_by_minus_1 > 0.0, 1.0, x->has_hopped);
+        y->hop_time = select(product_plus_sum_or_by_minus_1 > 0.0, x->time, x->hop_time);
         return next[0]; /* flight */
     }
     return next[1]; /* graze */
@@ -608,9 +626,10 @@ static void vary_react_slip_constant_lift_off(const real *parameters, const real
     const real kd_times_angle_rate = p->kd * angle_rate;
     const real foot_mass_times_gravity = p->foot_mass * p->gravity;
     const real by_1eminus_06_times_free_length = 1e-06 * p->free_length;
-    const real hardly = 1e-12 * (p->stiffness * p->free_length) * select(x__times_x_ >
-        by_1eminus_06_times_free_length * by_1eminus_06_times_free_length, 1000.0, -1.0);
-    const real minus_hardly = -hardly;
+    const real product_2 = by_1eminus_06_times_free_length * by_1eminus_06_times_free_length;
+    const real stiffness_times_free_length = p->stiffness * p->free_length;
+    const real hardly = select(x__times_x_ > product_2, 1e-09 * stiffness_times_free_length,
+        -(1e-12 * stiffness_times_free_length));
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real d_length = 0.5 * d_square / length;
     const real d_angle = (x->x_ * dx->y_ - x->y_ * dx->x_) / square + dx->winding;
@@ -624,6 +643,7 @@ static void vary_react_slip_constant_lift_off(const real *parameters, const real
     const real d_moment = dx->x_ * x->vy + x->x_ * dx->vy - (dx->y_ * x->vx + x->y_ * dx->vx);
     const real d_goes_on = select(x->time <= x->touchdown_time, dx->was_placed, 0.0);
     const real sum_2 = d_goes_on * x->placed_for + goes_on * dx->placed_for;
+    const real product_3 = 1e-06 * stiffness_times_free_length;
     y->liftoff_angle = d_angle;
     y->swing = 0.0;
     y->placing = sum_2;
@@ -634,7 +654,11 @@ static void vary_react_slip_constant_lift_off(const real *parameters, const real
         const real turning = swing_torque / square;
         const real off = axial_times_y_ + turning * x->x_;
         const real normal = off + foot_mass_times_gravity;
-        if (normal < minus_hardly) {
+        const real lift = -normal;
+        if (lift > hardly) {
+            const real hops = select(x__times_x_ > product_2, product_3 + normal, -1.0);
+            const real d_hopped = select(hops > 0.0, 0.0, dx->has_hopped);
+            const real d_hop_time = select(hops > 0.0, dx->time, dx->hop_time);
             y->length = d_length;
             y->angle = d_angle;
             y->length_rate = d_length_rate;
@@ -644,6 +668,8 @@ static void vary_react_slip_constant_lift_off(const real *parameters, const real
             y->com_vy = d_rise;
             y->momentum = d_moment;
             y->thrusting = 0.0;
+            y->has_hopped = d_hopped;
+            y->hop_time = d_hop_time;
             return;
         }
         return;
@@ -653,7 +679,9 @@ static void vary_react_slip_constant_lift_off(const real *parameters, const real
     if (p->swing_clamp > 0.0 && retracting_torque <= 0.0) {
         const real flight_lifts = axial_times_y_ + x->external_torque / square * x->x_
             + foot_mass_times_gravity;
-        if (flight_lifts < minus_hardly) {
+        if (-flight_lifts > hardly) {
+            const real product_plus_flight_lifts_or_by_minus_1 = select(x__times_x_ > product_2, product_3
+                + flight_lifts, -1.0);
             y->length = d_length;
             y->angle = d_angle;
             y->length_rate = d_length_rate;
@@ -663,12 +691,16 @@ static void vary_react_slip_constant_lift_off(const real *parameters, const real
             y->com_vy = d_rise;
             y->momentum = d_moment;
             y->thrusting = 0.0;
+            y->has_hopped = select(product_plus_flight_lifts_or_by_minus_1 > 0.0, 0.0, dx->has_hopped);
+            y->hop_time = select(product_plus_flight_lifts_or_by_minus_1 > 0.0, dx->time, dx->hop_time);
             return;
         }
         return;
     }
-    if (axial_times_y_ + (x->external_torque + retracting_torque) / square * x->x_
-        + foot_mass_times_gravity < minus_hardly) {
+    const real sum_3 = axial_times_y_ + (x->external_torque + retracting_torque) / square * x->x_
+        + foot_mass_times_gravity;
+    if (-sum_3 > hardly) {
+        const real product_plus_sum_or_by_minus_1 = select(x__times_x_ > product_2, product_3 + sum_3, -1.0);
         y->length = d_length;
         y->angle = d_angle;
         y->length_rate = d_length_rate;
@@ -678,6 +710,8 @@ static void vary_react_slip_constant_lift_off(const real *parameters, const real
         y->com_vy = d_rise;
         y->momentum = d_moment;
         y->thrusting = 0.0;
+        y->has_hopped = select(product_plus_sum_or_by_minus_1 > 0.0, 0.0, dx->has_hopped);
+        y->hop_time = select(product_plus_sum_or_by_minus_1 > 0.0, dx->time, dx->hop_time);
         return;
     }
 }
@@ -1476,51 +1510,64 @@ static real vary_guard_flight_calm_apex(const real *parameters, const real *stat
     return dx->com_vy;
 }
 
-/* touchdown: The foot reaches the ground. */
+/* touchdown: The foot reaches the ground. Where the lift of the flight law vanishes, shorter and shorter
+ * hops follow each other. After one of no time the foot grazes, until the flight law has ceased to lift it
+ * and lifts it again. */
 static int react_flight_calm_touchdown(const real *parameters, const real *states, const tdmf_table *tables,
     real *after, const int *next) {
     const plain_runner_parameters *p = (const void *)parameters;
     const plain_runner_states *x = (const void *)states;
     plain_runner_states *y = (void *)after;
     (void)tables;
-    const real share = p->body_mass / (p->body_mass + p->foot_mass);
+    const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
+    const real share = p->body_mass / body_mass_plus_foot_mass;
     const real sine = real_sin(x->angle);
     const real turn = x->momentum / x->length;
     const real cosine = real_cos(x->angle);
     const real vx = -(x->length_rate * sine) - turn * cosine;
-    const real along = x->com_vx - share * vx;
-    const real way = select(along >= 0.0, 1.0, -1.0);
-    const real way_times_along = way * along;
+    const real com_vx_minus_share_times_vx = x->com_vx - share * vx;
     const real vy = x->length_rate * cosine - turn * sine;
-    const real off = x->com_vy - share * vy;
-    const real friction_times_off = x->friction * off;
-    const real stopped_speed = -friction_times_off;
-    const real speed_left = way_times_along + friction_times_off;
-    const real speed_after_impact = select(way_times_along <= stopped_speed, 0.0, speed_left);
-    const real after_2 = way * speed_after_impact;
-    const real touchdowns_so_far_plus_by_1 = x->touchdowns_so_far + 1.0;
     const real length_times_sine = x->length * sine;
-    const real sum_2 = x->com_x + share * length_times_sine;
     const real x_2 = -length_times_sine;
     const real y_2 = x->length * cosine;
-    const real vx_plus_along_minus_after = vx + along - after_2;
-    const real vy_plus_off = vy + off;
+    const real along = x->com_x + share * length_times_sine;
     const real angle_minus_length_times_sineatan2_of_y = x->angle - real_atan2(length_times_sine, y_2);
-    const real speeds = along * along + off * off - after_2 * after_2;
+    y->x_ = x_2;
+    y->y_ = y_2;
+    y->foot_x = along;
+    y->winding = angle_minus_length_times_sineatan2_of_y;
+    if (x->has_hopped > 0.0 && x->time <= x->hop_time) {
+        y->vx = vx;
+        y->vy = vy;
+        y->foot_vx = com_vx_minus_share_times_vx;
+        return next[0]; /* graze */
+    }
+    const real way = select(com_vx_minus_share_times_vx >= 0.0, 1.0, -1.0);
+    const real way_times_com_vx_minus_share_times_vx = way * com_vx_minus_share_times_vx;
+    const real com_vy_minus_share_times_vy = x->com_vy - share * vy;
+    const real product_2 = x->friction * com_vy_minus_share_times_vy;
+    const real stopped_speed = -product_2;
+    const real speed_left = way_times_com_vx_minus_share_times_vx + product_2;
+    const real speed_after_impact = select(way_times_com_vx_minus_share_times_vx <= stopped_speed, 0.0,
+        speed_left);
+    const real after_2 = way * speed_after_impact;
+    const real touchdowns_so_far_plus_by_1 = x->touchdowns_so_far + 1.0;
+    const real foot_mass_over_body_mass_plus_foot_mass = p->foot_mass / body_mass_plus_foot_mass;
+    const real com_vx_plus_product_minus_after = x->com_vx + foot_mass_over_body_mass_plus_foot_mass * vx
+        - after_2;
+    const real com_vy_plus_product = x->com_vy + foot_mass_over_body_mass_plus_foot_mass * vy;
+    const real speeds = com_vx_minus_share_times_vx * com_vx_minus_share_times_vx
+        + com_vy_minus_share_times_vy * com_vy_minus_share_times_vy - after_2 * after_2;
     const real lost = 0.5 * (p->foot_mass * speeds);
     const real impact_loss_plus_lost = x->impact_loss + lost;
     const real by_1_or_by_0 = select(x->angle >= 0.0, 1.0, 0.0);
     const real is_placing = select(x->swing < 2.0, 0.0, 1.0);
     y->touchdowns_so_far = touchdowns_so_far_plus_by_1;
-    y->slid_from = sum_2;
+    y->slid_from = along;
     y->bar_is_due = 1.0;
-    y->x_ = x_2;
-    y->y_ = y_2;
-    y->vx = vx_plus_along_minus_after;
-    y->vy = vy_plus_off;
-    y->foot_x = sum_2;
+    y->vx = com_vx_plus_product_minus_after;
+    y->vy = com_vy_plus_product;
     y->foot_vx = after_2;
-    y->winding = angle_minus_length_times_sineatan2_of_y;
     y->impact_loss = impact_loss_plus_lost;
     y->driving = by_1_or_by_0;
     y->placing = 0.0;
@@ -1529,9 +1576,9 @@ static int react_flight_calm_touchdown(const real *parameters, const real *state
     y->placed_for = x->placing;
     if (way * after_2 > 0.0) {
         y->way = way;
-        return next[0]; /* slip */
+        return next[1]; /* slip */
     }
-    return next[1]; /* stick */
+    return next[2]; /* stick */
 }
 
 /* First variation of touchdown. */
@@ -1549,53 +1596,69 @@ static void vary_react_flight_calm_touchdown(const real *parameters, const real 
     const real turn = x->momentum / x->length;
     const real cosine = real_cos(x->angle);
     const real vx = -(x->length_rate * sine) - turn * cosine;
-    const real along = x->com_vx - share * vx;
-    const real way = select(along >= 0.0, 1.0, -1.0);
-    const real way_times_along = way * along;
-    const real vy = x->length_rate * cosine - turn * sine;
-    const real off = x->com_vy - share * vy;
-    const real friction_times_off = x->friction * off;
-    const real stopped_speed = -friction_times_off;
-    const real speed_left = way_times_along + friction_times_off;
-    const real speed_after_impact = select(way_times_along <= stopped_speed, 0.0, speed_left);
-    const real after_2 = way * speed_after_impact;
-    const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
-    const real length_times_sine = x->length * sine;
     const real d_sine = cosine * dx->angle;
     const real sum_2 = dx->length * sine + x->length * d_sine;
-    const real com_x_plus_sum = dx->com_x + (d_share * length_times_sine + share * sum_2);
     const real d_x = -sum_2;
     const real sine_times_angle = sine * dx->angle;
     const real d_y = dx->length * cosine - x->length * sine_times_angle;
     const real d_turn = (dx->momentum - turn * dx->length) / x->length;
     const real d_vx = -(dx->length_rate * sine + x->length_rate * d_sine) - (d_turn * cosine
         - turn * sine_times_angle);
-    const real d_along = dx->com_vx - (d_share * vx + share * d_vx);
     const real d_vy = dx->length_rate * cosine - x->length_rate * sine_times_angle - (d_turn * sine
         + turn * d_sine);
-    const real d_off = dx->com_vy - (d_share * vy + share * d_vy);
-    const real d_speed_left = way * d_along + (dx->friction * off + x->friction * d_off);
-    const real d_speed_after_impact = select(way_times_along <= stopped_speed, 0.0, d_speed_left);
-    const real d_after = way * d_speed_after_impact;
-    const real d_vx_plus_d_along_minus_d_after = d_vx + d_along - d_after;
-    const real d_vy_plus_d_off = d_vy + d_off;
+    const real body_mass_plus_foot_mass_2 = dp->body_mass + dp->foot_mass;
+    const real d_share = (dp->body_mass - share * body_mass_plus_foot_mass_2) / body_mass_plus_foot_mass;
+    const real length_times_sine = x->length * sine;
+    const real d_along = dx->com_x + (d_share * length_times_sine + share * sum_2);
+    const real sum_3 = dx->com_vx - (d_share * vx + share * d_vx);
     const real y_2 = x->length * cosine;
-    const real sum_3 = dx->angle - (y_2 * sum_2
+    const real sum_4 = dx->angle - (y_2 * sum_2
         - length_times_sine * d_y) / (length_times_sine * length_times_sine + y_2 * y_2);
-    const real speeds = along * along + off * off - after_2 * after_2;
-    const real d_speeds = 2.0 * (along * d_along) + 2.0 * (off * d_off) - 2.0 * (after_2 * d_after);
+    y->x_ = d_x;
+    y->y_ = d_y;
+    y->foot_x = d_along;
+    y->winding = sum_4;
+    if (x->has_hopped > 0.0 && x->time <= x->hop_time) {
+        y->vx = d_vx;
+        y->vy = d_vy;
+        y->foot_vx = sum_3;
+        return;
+    }
+    const real com_vx_minus_share_times_vx = x->com_vx - share * vx;
+    const real way = select(com_vx_minus_share_times_vx >= 0.0, 1.0, -1.0);
+    const real way_times_com_vx_minus_share_times_vx = way * com_vx_minus_share_times_vx;
+    const real vy = x->length_rate * cosine - turn * sine;
+    const real com_vy_minus_share_times_vy = x->com_vy - share * vy;
+    const real product_2 = x->friction * com_vy_minus_share_times_vy;
+    const real stopped_speed = -product_2;
+    const real speed_left = way_times_com_vx_minus_share_times_vx + product_2;
+    const real speed_after_impact = select(way_times_com_vx_minus_share_times_vx <= stopped_speed, 0.0,
+        speed_left);
+    const real after_2 = way * speed_after_impact;
+    const real foot_mass_over_body_mass_plus_foot_mass = p->foot_mass / body_mass_plus_foot_mass;
+    const real ratio = (dp->foot_mass
+        - foot_mass_over_body_mass_plus_foot_mass * body_mass_plus_foot_mass_2) / body_mass_plus_foot_mass;
+    const real sum_5 = dx->com_vy - (d_share * vy + share * d_vy);
+    const real d_speed_left = way * sum_3 + (dx->friction * com_vy_minus_share_times_vy
+        + x->friction * sum_5);
+    const real d_speed_after_impact = select(way_times_com_vx_minus_share_times_vx <= stopped_speed, 0.0,
+        d_speed_left);
+    const real d_after = way * d_speed_after_impact;
+    const real sum_6 = dx->com_vx + (ratio * vx + foot_mass_over_body_mass_plus_foot_mass * d_vx) - d_after;
+    const real com_vy_plus_ratio_times_vy_plus_product = dx->com_vy + (ratio * vy
+        + foot_mass_over_body_mass_plus_foot_mass * d_vy);
+    const real speeds = com_vx_minus_share_times_vx * com_vx_minus_share_times_vx
+        + com_vy_minus_share_times_vy * com_vy_minus_share_times_vy - after_2 * after_2;
+    const real d_speeds = 2.0 * (com_vx_minus_share_times_vx * sum_3)
+        + 2.0 * (com_vy_minus_share_times_vy * sum_5) - 2.0 * (after_2 * d_after);
     const real d_lost = 0.5 * (dp->foot_mass * speeds + p->foot_mass * d_speeds);
     const real impact_loss_plus_d_lost = dx->impact_loss + d_lost;
     y->touchdowns_so_far = dx->touchdowns_so_far;
-    y->slid_from = com_x_plus_sum;
+    y->slid_from = d_along;
     y->bar_is_due = 0.0;
-    y->x_ = d_x;
-    y->y_ = d_y;
-    y->vx = d_vx_plus_d_along_minus_d_after;
-    y->vy = d_vy_plus_d_off;
-    y->foot_x = com_x_plus_sum;
+    y->vx = sum_6;
+    y->vy = com_vy_plus_ratio_times_vy_plus_product;
     y->foot_vx = d_after;
-    y->winding = sum_3;
     y->impact_loss = impact_loss_plus_d_lost;
     y->driving = 0.0;
     y->placing = 0.0;
@@ -2176,6 +2239,16 @@ static void vary_react_graze_graze_to_flight(const real *parameters, const real 
     y->thrusting = 0.0;
 }
 
+/* True if graze_to_flight has to cross zero. */
+static real crosses_graze_graze_to_flight(const real *parameters, const real *states) {
+    const plain_runner_states *x = (const void *)states;
+    (void)parameters;
+    if (x->has_hopped > 0.0 && x->mode_began <= x->hop_time) {
+        return 1.0;
+    }
+    return 0.0;
+}
+
 /* First variation of the guard of graze_to_flight. */
 static real vary_guard_graze_graze_to_flight(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states) {
@@ -2401,8 +2474,10 @@ static void scales(const real *parameters, real *of_states, real *of_events) {
     of_states[76] = 1.0;
     of_states[77] = real_sqrt(p->body_mass / p->stiffness);
     of_states[78] = 1.0;
-    of_states[79] = product_2;
+    of_states[79] = real_sqrt(p->body_mass / p->stiffness);
     of_states[80] = 1.0;
+    of_states[81] = product_2;
+    of_states[82] = 1.0;
     of_events[EVENT_begins] = 1.0;
     of_events[EVENT_falls] = p->free_length;
     of_events[EVENT_collapses] = p->free_length;
@@ -2499,7 +2574,7 @@ static const tdmf_guard_kind guards_flight_calm[] = {
         .next = {MODE_flight_calm}},
     {.event = EVENT_touchdown, .is_counted = true, .react = react_flight_calm_touchdown,
         .vary_react = vary_react_flight_calm_touchdown, .vary_guard = vary_guard_flight_calm_touchdown,
-        .next = {MODE_slip_constant, MODE_stick}},
+        .next = {MODE_graze, MODE_slip_constant, MODE_stick}},
     {.event = EVENT_clamp, .react = react_flight_calm_clamp, .vary_react = vary_react_flight_calm_clamp,
         .is_watched = watches_flight_calm_clamp, .vary_guard = vary_guard_flight_calm_clamp,
         .next = {MODE_flight_calm}},
@@ -2541,8 +2616,8 @@ static const tdmf_guard_kind guards_graze[] = {
         .vary_react = vary_react_graze_graze_to_contact, .vary_guard = vary_guard_graze_graze_to_contact,
         .next = {MODE_slip_constant, MODE_stick}},
     {.event = EVENT_graze_to_flight, .is_counted = true, .react = react_graze_graze_to_flight,
-        .vary_react = vary_react_graze_graze_to_flight, .vary_guard = vary_guard_graze_graze_to_flight,
-        .next = {MODE_flight_calm}},
+        .vary_react = vary_react_graze_graze_to_flight, .is_crossing = crosses_graze_graze_to_flight,
+        .vary_guard = vary_guard_graze_graze_to_flight, .next = {MODE_flight_calm}},
     {.event = -1},
 };
 static const tdmf_watch_kind watches_graze[] = {
@@ -2613,7 +2688,7 @@ static const char *const state_names[] = {"time", "events", "last_event", "great
     "length_rate", "angle_rate", "com_x", "com_y", "com_vx", "com_vy", "momentum", "x", "y", "vx", "vy",
     "foot_x", "foot_vx", "winding", "thrusting", "damper_loss", "friction", "way", "friction_loss",
     "impact_loss", "external_torque", "liftoff_angle", "driving", "swing", "placing", "touchdown_time",
-    "was_placed", "placed_for", "rises_again", "work", "has_fallen"};
+    "has_hopped", "hop_time", "was_placed", "placed_for", "rises_again", "work", "has_fallen"};
 static const char *const parameter_names[] = {"body_mass", "foot_mass", "stiffness", "damping", "free_length",
     "least_length", "gravity", "notes_compression", "drive_torque", "kp", "kd", "touchdown_angle",
     "liftoff_factor", "swing_clamp"};
@@ -2628,7 +2703,7 @@ static const double state_defaults[] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 
     0.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -0.4722627765193387, 0.6417114468531165, 0.9999993776846997,
     -0.5462532571145313, 1.062035591761993, -1.9951712441925837e-05, 1.1268102275039307e-06,
     4.039363331769765e-05, 0.0, 1.4, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.6, 1.0,
-    0.0, 0.0, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+    0.0, 0.0, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
 static const double parameter_defaults[] = {1.0, 0.1, 1.0, 0.2, 1.0, 0.05, 0.01, 1.0, 0.2, 0.1, 0.1,
     0.6981317007977318, 1.2, 0.0};
 static const double parameter_least[] = {1e-09, 1e-12, 1e-09, 0.0, 1e-06, 1e-09, 1e-09,
@@ -2650,7 +2725,7 @@ const tdmf_model_kind tdmf_plain_runner_model = {
     .seeds = TDMF_FOR_SEEDS(tdmf_plain_runner_seeds),
     .mode_count = 6,
     .mode_names = mode_names,
-    .state_count = 81,
+    .state_count = 83,
     .state_names = state_names,
     .parameter_count = 14,
     .parameter_names = parameter_names,

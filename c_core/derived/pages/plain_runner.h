@@ -110,6 +110,8 @@ typedef struct {
     real swing; /* 1: Law of the hip in flight: 0 rest, 1 retract, 2 place */
     real placing; /* s: Time since the phase place began; 0 in other phases */
     real touchdown_time; /* s: Time of the last impact */
+    real has_hopped; /* 1: 1 once the flight law has hardly lifted the foot at a lift-off, else 0 */
+    real hop_time; /* s: Time of the last lift-off at which the flight law hardly lifted the foot */
     real was_placed; /* 1: 1 if the leg was being placed at the last impact, else 0 */
     real placed_for; /* s: Time in place at the last impact */
     real rises_again; /* 1: 1 if an impact with immediate lift-off interrupted place, else 0 */

@@ -1125,7 +1125,9 @@ static void guard_flight_calm_apex(const real *constants, const real *series, in
     }
 }
 
-/* touchdown: The foot reaches the ground. */
+/* touchdown: The foot reaches the ground. Where the lift of the flight law vanishes, shorter and shorter
+ * hops follow each other. After one of no time the foot grazes, until the flight law has ceased to lift it
+ * and lifts it again. */
 static void guard_flight_calm_touchdown(const real *constants, const real *series, int order, real *g) {
     const flight_calm_constants *c = (const void *)constants;
     const flight_calm_series *s = (const void *)series;
@@ -1722,7 +1724,7 @@ static const tdmf_polynomial polynomials_slip_constant[] = {guard_slip_constant_
 static const tdmf_vary_polynomial vary_observed_slip_constant[] = {d_observed_slip_constant_power_of_hip,
     d_observed_slip_constant_force_on_foot, d_observed_slip_constant_slip_velocity,
     d_observed_slip_constant_square_of_torque};
-static const int moving_slip_constant[] = {57, 58, 59, 60, 61, 62, 65, 68, 79, 0},
+static const int moving_slip_constant[] = {57, 58, 59, 60, 61, 62, 65, 68, 81, 0},
     degrees_slip_constant[] = {99, 99, 99, 99, 99, 99, 99, 99, 99, 1, 99}, judged_slip_constant[] = {2, 3, 5,
     6, 7, 8, 10}, divided_slip_constant[] = {-1, -1, -1, -1, -1, -1, -1}, divisors_slip_constant[] = {14, 13},
     integrals_slip_constant[] = {8, -1, -1, -1}, factors_slip_constant[] = {27, -1, -1, -1, -1, -1, -1, -1};
@@ -1732,7 +1734,7 @@ static const tdmf_polynomial polynomials_stick[] = {guard_stick_falls, guard_sti
     guard_stick_square_of_torque};
 static const tdmf_vary_polynomial vary_observed_stick[] = {d_observed_stick_power_of_hip,
     d_observed_stick_force_on_foot, d_observed_stick_square_of_torque};
-static const int moving_stick[] = {57, 58, 59, 60, 65, 79, 0, 61}, degrees_stick[] = {99, 99, 99, 99, 99, 99,
+static const int moving_stick[] = {57, 58, 59, 60, 65, 81, 0, 61}, degrees_stick[] = {99, 99, 99, 99, 99, 99,
     1, 1, 99}, judged_stick[] = {2, 3, 4, 5, 8}, divided_stick[] = {-1, -1, -1, -1, -1},
     divisors_stick[] = {12, 11}, integrals_stick[] = {5, -1, -1}, factors_stick[] = {23, -1, -1, -1, -1, -1};
 static const tdmf_polynomial polynomials_flight_calm[] = {guard_flight_calm_falls,
@@ -1741,7 +1743,7 @@ static const tdmf_polynomial polynomials_flight_calm[] = {guard_flight_calm_fall
     guard_flight_calm_square_of_torque};
 static const tdmf_vary_polynomial vary_observed_flight_calm[] = {d_observed_flight_calm_power_of_hip,
     d_observed_flight_calm_height_of_foot, d_observed_flight_calm_square_of_torque};
-static const int moving_flight_calm[] = {46, 47, 50, 53, 56, 65, 79, 0, 52, 55, 74},
+static const int moving_flight_calm[] = {46, 47, 50, 53, 56, 65, 81, 0, 52, 55, 74},
     degrees_flight_calm[] = {99, 99, 99, 2, 99, 99, 99, 1, 1, 1, 1}, judged_flight_calm[] = {1, 2, 4, 5, 6},
     divided_flight_calm[] = {-1, -1, 0, -1, -1}, divisors_flight_calm[] = {11}, integrals_flight_calm[] = {6,
     -1, -1}, factors_flight_calm[] = {15, 12, -1, -1, -1, -1};
@@ -1755,7 +1757,7 @@ static const tdmf_polynomial polynomials_graze[] = {guard_graze_falls, guard_gra
     guard_graze_square_of_torque};
 static const tdmf_vary_polynomial vary_observed_graze[] = {d_observed_graze_power_of_hip,
     d_observed_graze_square_of_torque};
-static const int moving_graze[] = {57, 58, 59, 61, 62, 65, 79, 0, 60, 74}, degrees_graze[] = {99, 2, 99, 99,
+static const int moving_graze[] = {57, 58, 59, 61, 62, 65, 81, 0, 60, 74}, degrees_graze[] = {99, 2, 99, 99,
     99, 99, 99, 1, 1, 1, 99}, judged_graze[] = {2, 4, 5, 6, 10}, divided_graze[] = {-1, -1, -1, -1, -1},
     divisors_graze[] = {14, 0, 13}, integrals_graze[] = {6, -1}, factors_graze[] = {22, 25, -1, -1};
 

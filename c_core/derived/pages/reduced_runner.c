@@ -779,7 +779,8 @@ static int react_flight_touchdown(const real *parameters, const real *states, co
     const reduced_runner_states *x = (const void *)states;
     reduced_runner_states *y = (void *)after;
     (void)tables;
-    const real share = p->body_mass / (p->body_mass + p->foot_mass);
+    const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
+    const real share = p->body_mass / body_mass_plus_foot_mass;
     const real sine = real_sin(x->angle);
     const real turn = x->momentum / x->length;
     const real cosine = real_cos(x->angle);
@@ -803,8 +804,11 @@ static int react_flight_touchdown(const real *parameters, const real *states, co
         + (x->com_y - share * y_2 - x->height) * sin_of_slope;
     const real sum_2 = y_2 * sin_of_slope - length_times_sine * cos_of_slope;
     const real sum_3 = y_2 * cos_of_slope + length_times_sine * sin_of_slope;
-    const real sum_plus_along = vx * cos_of_slope + vy * sin_of_slope + along;
-    const real sum_plus_off = vy * cos_of_slope - vx * sin_of_slope + off;
+    const real foot_mass_over_body_mass_plus_foot_mass = p->foot_mass / body_mass_plus_foot_mass;
+    const real com_vx_plus_product = x->com_vx + foot_mass_over_body_mass_plus_foot_mass * vx;
+    const real com_vy_plus_product = x->com_vy + foot_mass_over_body_mass_plus_foot_mass * vy;
+    const real sum_4 = com_vx_plus_product * cos_of_slope + com_vy_plus_product * sin_of_slope;
+    const real sum_5 = com_vy_plus_product * cos_of_slope - com_vx_plus_product * sin_of_slope;
     const real angle_minus_minus_sumatan2_of_sum = x->angle - real_atan2(-sum_2, sum_3);
     const real along_times_along_plus_off_times_off = along * along + off * off;
     const real by_1_or_by_0 = select(x->angle >= 0.0, 1.0, 0.0);
@@ -813,7 +817,7 @@ static int react_flight_touchdown(const real *parameters, const real *states, co
     y->bar_is_due = 1.0;
     y->x_ = sum_2;
     y->y_ = sum_3;
-    y->vy = sum_plus_off;
+    y->vy = sum_5;
     y->foot_x = sum_times_cos_of_slope_plus_product;
     y->winding = angle_minus_minus_sumatan2_of_sum;
     y->driving = by_1_or_by_0;
@@ -830,12 +834,12 @@ static int react_flight_touchdown(const real *parameters, const real *states, co
         const real speed_left = select(left > 0.0, left, 0.0);
         const real speed_after_impact = select(way_times_along <= stopped_speed, 0.0, speed_left);
         const real after_2 = way * speed_after_impact;
-        const real sum_plus_along_minus_after = sum_plus_along - after_2;
+        const real sum_minus_after = sum_4 - after_2;
         const real speeds = along_times_along_plus_off_times_off - after_2 * after_2;
-        const real sum_4 = x->impact_loss + 0.5 * (p->foot_mass * speeds);
-        y->vx = sum_plus_along_minus_after;
+        const real sum_6 = x->impact_loss + 0.5 * (p->foot_mass * speeds);
+        y->vx = sum_minus_after;
         y->foot_vx = after_2;
-        y->impact_loss = sum_4;
+        y->impact_loss = sum_6;
         if (way * after_2 > 0.0) {
             y->way = way;
             return next[0]; /* slip */
@@ -844,12 +848,12 @@ static int react_flight_touchdown(const real *parameters, const real *states, co
     }
     const real way_times_select = way * select(way_times_along <= -(p->static_ratio * friction_times_off),
         0.0, way_times_along_plus_friction_times_off);
-    const real sum_plus_along_minus_way_times_select = sum_plus_along - way_times_select;
-    const real sum_4 = x->impact_loss + 0.5 * (p->foot_mass * (along_times_along_plus_off_times_off
+    const real sum_minus_way_times_select = sum_4 - way_times_select;
+    const real sum_6 = x->impact_loss + 0.5 * (p->foot_mass * (along_times_along_plus_off_times_off
         - way_times_select * way_times_select));
-    y->vx = sum_plus_along_minus_way_times_select;
+    y->vx = sum_minus_way_times_select;
     y->foot_vx = way_times_select;
-    y->impact_loss = sum_4;
+    y->impact_loss = sum_6;
     if (way * way_times_select > 0.0) {
         y->way = way;
         return next[0]; /* slip */
@@ -884,7 +888,8 @@ static void vary_react_flight_touchdown(const real *parameters, const real *stat
     const real off = com_vy_minus_share_times_vy * cos_of_slope - com_vx_minus_share_times_vx * sin_of_slope;
     const real friction_times_off = x->friction * off;
     const real way_times_along_plus_friction_times_off = way_times_along + friction_times_off;
-    const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
+    const real body_mass_plus_foot_mass_2 = dp->body_mass + dp->foot_mass;
+    const real d_share = (dp->body_mass - share * body_mass_plus_foot_mass_2) / body_mass_plus_foot_mass;
     const real length_times_sine = x->length * sine;
     const real d_sine = cosine * dx->angle;
     const real sum_2 = dx->length * sine + x->length * d_sine;
@@ -901,35 +906,48 @@ static void vary_react_flight_touchdown(const real *parameters, const real *stat
         - length_times_sine * sin_of_slope_times_slope);
     const real sum_4 = d_y * cos_of_slope - y_2 * sin_of_slope_times_slope + (sum_2 * sin_of_slope
         + length_times_sine * cos_of_slope_times_slope);
+    const real foot_mass_over_body_mass_plus_foot_mass = p->foot_mass / body_mass_plus_foot_mass;
+    const real ratio = (dp->foot_mass
+        - foot_mass_over_body_mass_plus_foot_mass * body_mass_plus_foot_mass_2) / body_mass_plus_foot_mass;
     const real d_turn = (dx->momentum - turn * dx->length) / x->length;
     const real d_vx = -(dx->length_rate * sine + x->length_rate * d_sine) - (d_turn * cosine
         - turn * sine_times_angle);
+    const real com_vx_plus_ratio_times_vx_plus_product = dx->com_vx + (ratio * vx
+        + foot_mass_over_body_mass_plus_foot_mass * d_vx);
+    const real com_vx_plus_product = x->com_vx + foot_mass_over_body_mass_plus_foot_mass * vx;
     const real d_vy = dx->length_rate * cosine - x->length_rate * sine_times_angle - (d_turn * sine
         + turn * d_sine);
-    const real sum_5 = dx->com_vx - (d_share * vx + share * d_vx);
-    const real sum_6 = dx->com_vy - (d_share * vy + share * d_vy);
-    const real d_along = sum_5 * cos_of_slope - com_vx_minus_share_times_vx * sin_of_slope_times_slope
-        + (sum_6 * sin_of_slope + com_vy_minus_share_times_vy * cos_of_slope_times_slope);
-    const real sum_plus_sum_plus_d_along = d_vx * cos_of_slope - vx * sin_of_slope_times_slope
-        + (d_vy * sin_of_slope + vy * cos_of_slope_times_slope) + d_along;
-    const real d_off = sum_6 * cos_of_slope - com_vy_minus_share_times_vy * sin_of_slope_times_slope
-        - (sum_5 * sin_of_slope + com_vx_minus_share_times_vx * cos_of_slope_times_slope);
-    const real sum_7 = dx->friction * off + x->friction * d_off;
-    const real way_times_d_along_plus_sum = way * d_along + sum_7;
-    const real sum_minus_sum_plus_d_off = d_vy * cos_of_slope - vy * sin_of_slope_times_slope
-        - (d_vx * sin_of_slope + vx * cos_of_slope_times_slope) + d_off;
-    const real sum_8 = y_2 * sin_of_slope - length_times_sine * cos_of_slope;
-    const real sum_9 = y_2 * cos_of_slope + length_times_sine * sin_of_slope;
-    const real angle_minus_ratio = dx->angle - (sum_8 * sum_4 - sum_9 * sum_3) / (sum_8 * sum_8
-        + sum_9 * sum_9);
+    const real com_vy_plus_ratio_times_vy_plus_product = dx->com_vy + (ratio * vy
+        + foot_mass_over_body_mass_plus_foot_mass * d_vy);
+    const real com_vy_plus_product = x->com_vy + foot_mass_over_body_mass_plus_foot_mass * vy;
+    const real sum_5 = com_vx_plus_ratio_times_vx_plus_product * cos_of_slope
+        - com_vx_plus_product * sin_of_slope_times_slope
+        + (com_vy_plus_ratio_times_vy_plus_product * sin_of_slope
+        + com_vy_plus_product * cos_of_slope_times_slope);
+    const real sum_6 = dx->com_vx - (d_share * vx + share * d_vx);
+    const real sum_7 = dx->com_vy - (d_share * vy + share * d_vy);
+    const real d_along = sum_6 * cos_of_slope - com_vx_minus_share_times_vx * sin_of_slope_times_slope
+        + (sum_7 * sin_of_slope + com_vy_minus_share_times_vy * cos_of_slope_times_slope);
+    const real d_off = sum_7 * cos_of_slope - com_vy_minus_share_times_vy * sin_of_slope_times_slope
+        - (sum_6 * sin_of_slope + com_vx_minus_share_times_vx * cos_of_slope_times_slope);
+    const real sum_8 = dx->friction * off + x->friction * d_off;
+    const real way_times_d_along_plus_sum = way * d_along + sum_8;
+    const real sum_9 = com_vy_plus_ratio_times_vy_plus_product * cos_of_slope
+        - com_vy_plus_product * sin_of_slope_times_slope
+        - (com_vx_plus_ratio_times_vx_plus_product * sin_of_slope
+        + com_vx_plus_product * cos_of_slope_times_slope);
+    const real sum_10 = y_2 * sin_of_slope - length_times_sine * cos_of_slope;
+    const real sum_11 = y_2 * cos_of_slope + length_times_sine * sin_of_slope;
+    const real angle_minus_ratio = dx->angle - (sum_10 * sum_4 - sum_11 * sum_3) / (sum_10 * sum_10
+        + sum_11 * sum_11);
     const real along_times_along_plus_off_times_off = along * along + off * off;
-    const real sum_10 = 2.0 * (along * d_along) + 2.0 * (off * d_off);
+    const real sum_12 = 2.0 * (along * d_along) + 2.0 * (off * d_off);
     y->touchdowns_so_far = dx->touchdowns_so_far;
     y->slid_from = sum_plus_sum;
     y->bar_is_due = 0.0;
     y->x_ = sum_3;
     y->y_ = sum_4;
-    y->vy = sum_minus_sum_plus_d_off;
+    y->vy = sum_9;
     y->foot_x = sum_plus_sum;
     y->winding = angle_minus_ratio;
     y->driving = 0.0;
@@ -937,13 +955,13 @@ static void vary_react_flight_touchdown(const real *parameters, const real *stat
     y->touchdown_time = dx->time;
     if (p->stribeck_velocity > 0.0 && p->static_ratio > 1.0) {
         const real static_ratio_minus_by_1 = p->static_ratio - 1.0;
-        const real ratio = friction_times_off / p->stribeck_velocity;
-        const real expm1_of_ratio = real_expm1(ratio);
+        const real ratio_2 = friction_times_off / p->stribeck_velocity;
+        const real expm1_of_ratio = real_expm1(ratio_2);
         const real product_2 = static_ratio_minus_by_1 * expm1_of_ratio;
         const real gained = -product_2;
         const real stopped_speed = p->stribeck_velocity * real_log1p(gained) - friction_times_off;
-        const real ratio_2 = way_times_along_plus_friction_times_off / p->stribeck_velocity;
-        const real exp_of_minus_ratio = real_exp(-ratio_2);
+        const real ratio_3 = way_times_along_plus_friction_times_off / p->stribeck_velocity;
+        const real exp_of_minus_ratio = real_exp(-ratio_3);
         const real product_times_exp_of_minus_ratio = product_2 * exp_of_minus_ratio;
         const real log1p_2 = real_log1p(product_times_exp_of_minus_ratio);
         const real left = way_times_along_plus_friction_times_off + p->stribeck_velocity * log1p_2;
@@ -952,20 +970,20 @@ static void vary_react_flight_touchdown(const real *parameters, const real *stat
         const real after_2 = way * speed_after_impact;
         const real d_left = way_times_d_along_plus_sum + (dp->stribeck_velocity * log1p_2
             + p->stribeck_velocity * (((dp->static_ratio * expm1_of_ratio
-            + static_ratio_minus_by_1 * ((expm1_of_ratio + 1.0) * ((sum_7
-            - ratio * dp->stribeck_velocity) / p->stribeck_velocity))) * exp_of_minus_ratio
+            + static_ratio_minus_by_1 * ((expm1_of_ratio + 1.0) * ((sum_8
+            - ratio_2 * dp->stribeck_velocity) / p->stribeck_velocity))) * exp_of_minus_ratio
             - product_2 * (exp_of_minus_ratio * ((way_times_d_along_plus_sum
-            - ratio_2 * dp->stribeck_velocity) / p->stribeck_velocity))) / (1.0
+            - ratio_3 * dp->stribeck_velocity) / p->stribeck_velocity))) / (1.0
             + product_times_exp_of_minus_ratio)));
         const real d_speed_left = select(left > 0.0, d_left, 0.0);
         const real d_speed_after_impact = select(way_times_along <= stopped_speed, 0.0, d_speed_left);
         const real d_after = way * d_speed_after_impact;
-        const real sum_plus_sum_plus_d_along_minus_d_after = sum_plus_sum_plus_d_along - d_after;
+        const real sum_minus_d_after = sum_5 - d_after;
         const real speeds = along_times_along_plus_off_times_off - after_2 * after_2;
-        const real d_speeds = sum_10 - 2.0 * (after_2 * d_after);
+        const real d_speeds = sum_12 - 2.0 * (after_2 * d_after);
         const real impact_loss_plus_by_0_5_times_sum = dx->impact_loss + 0.5 * (dp->foot_mass * speeds
             + p->foot_mass * d_speeds);
-        y->vx = sum_plus_sum_plus_d_along_minus_d_after;
+        y->vx = sum_minus_d_after;
         y->foot_vx = d_after;
         y->impact_loss = impact_loss_plus_by_0_5_times_sum;
         if (way * after_2 > 0.0) {
@@ -978,12 +996,12 @@ static void vary_react_flight_touchdown(const real *parameters, const real *stat
     const real way_times_select = way * select(way_times_along <= negative, 0.0,
         way_times_along_plus_friction_times_off);
     const real product_2 = way * select(way_times_along <= negative, 0.0, way_times_d_along_plus_sum);
-    const real sum_plus_sum_plus_d_along_minus_product = sum_plus_sum_plus_d_along - product_2;
+    const real sum_minus_product = sum_5 - product_2;
     const real impact_loss_plus_by_0_5_times_sum = dx->impact_loss
         + 0.5 * (dp->foot_mass * (along_times_along_plus_off_times_off
-        - way_times_select * way_times_select) + p->foot_mass * (sum_10
+        - way_times_select * way_times_select) + p->foot_mass * (sum_12
         - 2.0 * (way_times_select * product_2)));
-    y->vx = sum_plus_sum_plus_d_along_minus_product;
+    y->vx = sum_minus_product;
     y->foot_vx = product_2;
     y->impact_loss = impact_loss_plus_by_0_5_times_sum;
     if (way * way_times_select > 0.0) {
@@ -1033,27 +1051,26 @@ static void outputs_flight(const real *parameters, const real *states, real *out
         0.0) * x->thrusting;
     const real shorter = rest_length - x->length;
     const real spring = p->stiffness * shorter - p->damping * x->length_rate;
-    const real share = p->body_mass / (p->body_mass + p->foot_mass);
+    const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
+    const real share = p->foot_mass / body_mass_plus_foot_mass;
     const real sin_of_angle = real_sin(x->angle);
-    const real length_times_sin_of_angle = x->length * sin_of_angle;
-    const real body_x = x->com_x + share * length_times_sin_of_angle - length_times_sin_of_angle;
+    const real body_x = x->com_x - share * (x->length * sin_of_angle);
     const real cos_of_angle = real_cos(x->angle);
     const real y_2 = x->length * cos_of_angle;
-    const real com_y_minus_share_times_y = x->com_y - share * y_2;
-    const real body_y = com_y_minus_share_times_y + y_2;
+    const real body_y = x->com_y + share * y_2;
     const real turn = x->momentum / x->length;
     const real vx = -(x->length_rate * sin_of_angle) - turn * cos_of_angle;
-    const real com_vx_minus_share_times_vx = x->com_vx - share * vx;
-    const real body_vx = com_vx_minus_share_times_vx + vx;
+    const real body_vx = x->com_vx + share * vx;
     const real vy = x->length_rate * cos_of_angle - turn * sin_of_angle;
-    const real com_vy_minus_share_times_vy = x->com_vy - share * vy;
-    const real body_vy = com_vy_minus_share_times_vy + vy;
+    const real body_vy = x->com_vy + share * vy;
     const real of_body = p->body_mass * (body_vx * body_vx + body_vy * body_vy);
-    const real kinetic_energy = 0.5 * (of_body
-        + p->foot_mass * (com_vx_minus_share_times_vx * com_vx_minus_share_times_vx
-        + com_vy_minus_share_times_vy * com_vy_minus_share_times_vy));
-    const real potential_energy = p->gravity * (p->body_mass * body_y
-        + p->foot_mass * com_y_minus_share_times_y);
+    const real body_mass_over_body_mass_plus_foot_mass = p->body_mass / body_mass_plus_foot_mass;
+    const real com_vx_minus_product = x->com_vx - body_mass_over_body_mass_plus_foot_mass * vx;
+    const real com_vy_minus_product = x->com_vy - body_mass_over_body_mass_plus_foot_mass * vy;
+    const real kinetic_energy = 0.5 * (of_body + p->foot_mass * (com_vx_minus_product * com_vx_minus_product
+        + com_vy_minus_product * com_vy_minus_product));
+    const real potential_energy = p->gravity * (p->body_mass * body_y + p->foot_mass * (x->com_y
+        - body_mass_over_body_mass_plus_foot_mass * y_2));
     const real elastic_energy = 0.5 * (p->stiffness * (shorter * shorter));
     const real energy = kinetic_energy + potential_energy + elastic_energy;
     const real phase_of_hip = select(x->swing < 2.0, 3.0, 4.0);
@@ -1098,46 +1115,49 @@ static void vary_outputs_flight(const real *parameters, const real *states, cons
     const real d_spring = dp->stiffness * shorter + p->stiffness * d_shorter - (dp->damping * x->length_rate
         + p->damping * dx->length_rate);
     const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
-    const real share = p->body_mass / body_mass_plus_foot_mass;
-    const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
+    const real share = p->foot_mass / body_mass_plus_foot_mass;
+    const real body_mass_plus_foot_mass_2 = dp->body_mass + dp->foot_mass;
+    const real d_share = (dp->foot_mass - share * body_mass_plus_foot_mass_2) / body_mass_plus_foot_mass;
     const real sin_of_angle = real_sin(x->angle);
     const real cos_of_angle = real_cos(x->angle);
     const real cos_of_angle_times_angle = cos_of_angle * dx->angle;
-    const real sum_2 = dx->length * sin_of_angle + x->length * cos_of_angle_times_angle;
-    const real d_body_x = dx->com_x + (d_share * (x->length * sin_of_angle) + share * sum_2) - sum_2;
+    const real d_body_x = dx->com_x - (d_share * (x->length * sin_of_angle)
+        + share * (dx->length * sin_of_angle + x->length * cos_of_angle_times_angle));
     const real y_2 = x->length * cos_of_angle;
     const real sin_of_angle_times_angle = sin_of_angle * dx->angle;
     const real d_y = dx->length * cos_of_angle - x->length * sin_of_angle_times_angle;
-    const real sum_3 = dx->com_y - (d_share * y_2 + share * d_y);
-    const real d_body_y = sum_3 + d_y;
+    const real d_body_y = dx->com_y + (d_share * y_2 + share * d_y);
     const real turn = x->momentum / x->length;
     const real vx = -(x->length_rate * sin_of_angle) - turn * cos_of_angle;
     const real d_turn = (dx->momentum - turn * dx->length) / x->length;
     const real d_vx = -(dx->length_rate * sin_of_angle + x->length_rate * cos_of_angle_times_angle)
         - (d_turn * cos_of_angle - turn * sin_of_angle_times_angle);
-    const real sum_4 = dx->com_vx - (d_share * vx + share * d_vx);
-    const real d_body_vx = sum_4 + d_vx;
+    const real d_body_vx = dx->com_vx + (d_share * vx + share * d_vx);
     const real vy = x->length_rate * cos_of_angle - turn * sin_of_angle;
     const real d_vy = dx->length_rate * cos_of_angle - x->length_rate * sin_of_angle_times_angle
         - (d_turn * sin_of_angle + turn * cos_of_angle_times_angle);
-    const real sum_5 = dx->com_vy - (d_share * vy + share * d_vy);
-    const real d_body_vy = sum_5 + d_vy;
-    const real com_vx_minus_share_times_vx = x->com_vx - share * vx;
-    const real body_vx = com_vx_minus_share_times_vx + vx;
-    const real com_vy_minus_share_times_vy = x->com_vy - share * vy;
-    const real body_vy = com_vy_minus_share_times_vy + vy;
+    const real d_body_vy = dx->com_vy + (d_share * vy + share * d_vy);
+    const real body_vx = x->com_vx + share * vx;
+    const real body_vy = x->com_vy + share * vy;
     const real d_of_body = dp->body_mass * (body_vx * body_vx + body_vy * body_vy)
         + p->body_mass * (2.0 * (body_vx * d_body_vx) + 2.0 * (body_vy * d_body_vy));
+    const real body_mass_over_body_mass_plus_foot_mass = p->body_mass / body_mass_plus_foot_mass;
+    const real com_vx_minus_product = x->com_vx - body_mass_over_body_mass_plus_foot_mass * vx;
+    const real com_vy_minus_product = x->com_vy - body_mass_over_body_mass_plus_foot_mass * vy;
+    const real ratio = (dp->body_mass
+        - body_mass_over_body_mass_plus_foot_mass * body_mass_plus_foot_mass_2) / body_mass_plus_foot_mass;
     const real d_kinetic_energy = 0.5 * (d_of_body
-        + (dp->foot_mass * (com_vx_minus_share_times_vx * com_vx_minus_share_times_vx
-        + com_vy_minus_share_times_vy * com_vy_minus_share_times_vy)
-        + p->foot_mass * (2.0 * (com_vx_minus_share_times_vx * sum_4)
-        + 2.0 * (com_vy_minus_share_times_vy * sum_5))));
-    const real com_y_minus_share_times_y = x->com_y - share * y_2;
-    const real body_y = com_y_minus_share_times_y + y_2;
+        + (dp->foot_mass * (com_vx_minus_product * com_vx_minus_product
+        + com_vy_minus_product * com_vy_minus_product)
+        + p->foot_mass * (2.0 * (com_vx_minus_product * (dx->com_vx - (ratio * vx
+        + body_mass_over_body_mass_plus_foot_mass * d_vx))) + 2.0 * (com_vy_minus_product * (dx->com_vy
+        - (ratio * vy + body_mass_over_body_mass_plus_foot_mass * d_vy))))));
+    const real body_y = x->com_y + share * y_2;
+    const real com_y_minus_product = x->com_y - body_mass_over_body_mass_plus_foot_mass * y_2;
     const real d_potential_energy = dp->gravity * (p->body_mass * body_y
-        + p->foot_mass * com_y_minus_share_times_y) + p->gravity * (dp->body_mass * body_y
-        + p->body_mass * d_body_y + (dp->foot_mass * com_y_minus_share_times_y + p->foot_mass * sum_3));
+        + p->foot_mass * com_y_minus_product) + p->gravity * (dp->body_mass * body_y
+        + p->body_mass * d_body_y + (dp->foot_mass * com_y_minus_product + p->foot_mass * (dx->com_y
+        - (ratio * y_2 + body_mass_over_body_mass_plus_foot_mass * d_y))));
     const real d_elastic_energy = 0.5 * (dp->stiffness * (shorter * shorter)
         + p->stiffness * (2.0 * (shorter * d_shorter)));
     const real d_energy = d_kinetic_energy + d_potential_energy + d_elastic_energy;
@@ -1921,19 +1941,20 @@ static void outputs_slip_constant(const real *parameters, const real *states, re
     const real height_plus_foot_x_times_sine = x->height + x->foot_x * sine;
     const real x__times_sine_plus_y__times_cosine = x->x_ * sine + x->y_ * cosine;
     const real body_y = height_plus_foot_x_times_sine + x__times_sine_plus_y__times_cosine;
-    const real vx = x->foot_vx * cosine;
-    const real vx_times_cosine_minus_vy_times_sine = x->vx * cosine - x->vy * sine;
-    const real body_vx = vx + vx_times_cosine_minus_vy_times_sine;
-    const real vy = x->foot_vx * sine;
-    const real vx_times_sine_plus_vy_times_cosine = x->vx * sine + x->vy * cosine;
-    const real body_vy = vy + vx_times_sine_plus_vy_times_cosine;
+    const real foot_vx_times_cosine = x->foot_vx * cosine;
+    const real vx = x->vx * cosine - x->vy * sine;
+    const real body_vx = foot_vx_times_cosine + vx;
+    const real foot_vx_times_sine = x->foot_vx * sine;
+    const real vy = x->vx * sine + x->vy * cosine;
+    const real body_vy = foot_vx_times_sine + vy;
     const real share = p->body_mass / (p->body_mass + p->foot_mass);
     const real center_x = foot_x_times_cosine + share * x__times_cosine_minus_y__times_sine;
     const real center_y = height_plus_foot_x_times_sine + share * x__times_sine_plus_y__times_cosine;
-    const real center_vx = vx + share * vx_times_cosine_minus_vy_times_sine;
-    const real center_vy = vy + share * vx_times_sine_plus_vy_times_cosine;
+    const real center_vx = foot_vx_times_cosine + share * vx;
+    const real center_vy = foot_vx_times_sine + share * vy;
     const real of_body = p->body_mass * (body_vx * body_vx + body_vy * body_vy);
-    const real kinetic_energy = 0.5 * (of_body + p->foot_mass * (vx * vx + vy * vy));
+    const real kinetic_energy = 0.5 * (of_body + p->foot_mass * (foot_vx_times_cosine * foot_vx_times_cosine
+        + foot_vx_times_sine * foot_vx_times_sine));
     const real potential_energy = p->gravity * (p->body_mass * body_y
         + p->foot_mass * height_plus_foot_x_times_sine);
     const real elastic_energy = 0.5 * (p->stiffness * (shorter * shorter));
@@ -2021,30 +2042,32 @@ static void vary_outputs_slip_constant(const real *parameters, const real *state
     const real height_plus_sum = dx->height + (dx->foot_x * sine + x->foot_x * d_sine);
     const real sum_5 = dx->x_ * sine + x->x_ * d_sine + (dx->y_ * cosine - x->y_ * sine_times_slope);
     const real d_body_y = height_plus_sum + sum_5;
-    const real d_vx = dx->foot_vx * cosine - x->foot_vx * sine_times_slope;
-    const real sum_6 = dx->vx * cosine - x->vx * sine_times_slope - (dx->vy * sine + x->vy * d_sine);
-    const real d_body_vx = d_vx + sum_6;
-    const real d_vy = dx->foot_vx * sine + x->foot_vx * d_sine;
-    const real sum_7 = dx->vx * sine + x->vx * d_sine + (dx->vy * cosine - x->vy * sine_times_slope);
-    const real d_body_vy = d_vy + sum_7;
+    const real sum_6 = dx->foot_vx * cosine - x->foot_vx * sine_times_slope;
+    const real d_vx = dx->vx * cosine - x->vx * sine_times_slope - (dx->vy * sine + x->vy * d_sine);
+    const real d_body_vx = sum_6 + d_vx;
+    const real sum_7 = dx->foot_vx * sine + x->foot_vx * d_sine;
+    const real d_vy = dx->vx * sine + x->vx * d_sine + (dx->vy * cosine - x->vy * sine_times_slope);
+    const real d_body_vy = sum_7 + d_vy;
     const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
     const real share = p->body_mass / body_mass_plus_foot_mass;
     const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
     const real d_center_x = sum_3 + (d_share * (x->x_ * cosine - x->y_ * sine) + share * sum_4);
     const real x__times_sine_plus_y__times_cosine = x->x_ * sine + x->y_ * cosine;
     const real d_center_y = height_plus_sum + (d_share * x__times_sine_plus_y__times_cosine + share * sum_5);
-    const real vx_times_cosine_minus_vy_times_sine = x->vx * cosine - x->vy * sine;
-    const real d_center_vx = d_vx + (d_share * vx_times_cosine_minus_vy_times_sine + share * sum_6);
-    const real vx_times_sine_plus_vy_times_cosine = x->vx * sine + x->vy * cosine;
-    const real d_center_vy = d_vy + (d_share * vx_times_sine_plus_vy_times_cosine + share * sum_7);
-    const real vx = x->foot_vx * cosine;
-    const real body_vx = vx + vx_times_cosine_minus_vy_times_sine;
-    const real vy = x->foot_vx * sine;
-    const real body_vy = vy + vx_times_sine_plus_vy_times_cosine;
+    const real vx = x->vx * cosine - x->vy * sine;
+    const real d_center_vx = sum_6 + (d_share * vx + share * d_vx);
+    const real vy = x->vx * sine + x->vy * cosine;
+    const real d_center_vy = sum_7 + (d_share * vy + share * d_vy);
+    const real foot_vx_times_cosine = x->foot_vx * cosine;
+    const real body_vx = foot_vx_times_cosine + vx;
+    const real foot_vx_times_sine = x->foot_vx * sine;
+    const real body_vy = foot_vx_times_sine + vy;
     const real d_of_body = dp->body_mass * (body_vx * body_vx + body_vy * body_vy)
         + p->body_mass * (2.0 * (body_vx * d_body_vx) + 2.0 * (body_vy * d_body_vy));
-    const real d_kinetic_energy = 0.5 * (d_of_body + (dp->foot_mass * (vx * vx + vy * vy)
-        + p->foot_mass * (2.0 * (vx * d_vx) + 2.0 * (vy * d_vy))));
+    const real d_kinetic_energy = 0.5 * (d_of_body
+        + (dp->foot_mass * (foot_vx_times_cosine * foot_vx_times_cosine
+        + foot_vx_times_sine * foot_vx_times_sine) + p->foot_mass * (2.0 * (foot_vx_times_cosine * sum_6)
+        + 2.0 * (foot_vx_times_sine * sum_7))));
     const real height_plus_foot_x_times_sine = x->height + x->foot_x * sine;
     const real body_y = height_plus_foot_x_times_sine + x__times_sine_plus_y__times_cosine;
     const real d_potential_energy = dp->gravity * (p->body_mass * body_y
@@ -2550,19 +2573,20 @@ static void outputs_stick(const real *parameters, const real *states, real *outp
     const real height_plus_foot_x_times_sine = x->height + x->foot_x * sine;
     const real x__times_sine_plus_y__times_cosine = x->x_ * sine + x->y_ * cosine;
     const real body_y = height_plus_foot_x_times_sine + x__times_sine_plus_y__times_cosine;
-    const real vx = x->foot_vx * cosine;
-    const real vx_times_cosine_minus_vy_times_sine = x->vx * cosine - x->vy * sine;
-    const real body_vx = vx + vx_times_cosine_minus_vy_times_sine;
-    const real vy = x->foot_vx * sine;
-    const real vx_times_sine_plus_vy_times_cosine = x->vx * sine + x->vy * cosine;
-    const real body_vy = vy + vx_times_sine_plus_vy_times_cosine;
+    const real foot_vx_times_cosine = x->foot_vx * cosine;
+    const real vx = x->vx * cosine - x->vy * sine;
+    const real body_vx = foot_vx_times_cosine + vx;
+    const real foot_vx_times_sine = x->foot_vx * sine;
+    const real vy = x->vx * sine + x->vy * cosine;
+    const real body_vy = foot_vx_times_sine + vy;
     const real share = p->body_mass / (p->body_mass + p->foot_mass);
     const real center_x = foot_x_times_cosine + share * x__times_cosine_minus_y__times_sine;
     const real center_y = height_plus_foot_x_times_sine + share * x__times_sine_plus_y__times_cosine;
-    const real center_vx = vx + share * vx_times_cosine_minus_vy_times_sine;
-    const real center_vy = vy + share * vx_times_sine_plus_vy_times_cosine;
+    const real center_vx = foot_vx_times_cosine + share * vx;
+    const real center_vy = foot_vx_times_sine + share * vy;
     const real of_body = p->body_mass * (body_vx * body_vx + body_vy * body_vy);
-    const real kinetic_energy = 0.5 * (of_body + p->foot_mass * (vx * vx + vy * vy));
+    const real kinetic_energy = 0.5 * (of_body + p->foot_mass * (foot_vx_times_cosine * foot_vx_times_cosine
+        + foot_vx_times_sine * foot_vx_times_sine));
     const real potential_energy = p->gravity * (p->body_mass * body_y
         + p->foot_mass * height_plus_foot_x_times_sine);
     const real elastic_energy = 0.5 * (p->stiffness * (shorter * shorter));
@@ -2648,30 +2672,32 @@ static void vary_outputs_stick(const real *parameters, const real *states, const
     const real height_plus_sum = dx->height + (dx->foot_x * sine + x->foot_x * d_sine);
     const real sum_5 = dx->x_ * sine + x->x_ * d_sine + (dx->y_ * cosine - x->y_ * sine_times_slope);
     const real d_body_y = height_plus_sum + sum_5;
-    const real d_vx = dx->foot_vx * cosine - x->foot_vx * sine_times_slope;
-    const real sum_6 = dx->vx * cosine - x->vx * sine_times_slope - (dx->vy * sine + x->vy * d_sine);
-    const real d_body_vx = d_vx + sum_6;
-    const real d_vy = dx->foot_vx * sine + x->foot_vx * d_sine;
-    const real sum_7 = dx->vx * sine + x->vx * d_sine + (dx->vy * cosine - x->vy * sine_times_slope);
-    const real d_body_vy = d_vy + sum_7;
+    const real sum_6 = dx->foot_vx * cosine - x->foot_vx * sine_times_slope;
+    const real d_vx = dx->vx * cosine - x->vx * sine_times_slope - (dx->vy * sine + x->vy * d_sine);
+    const real d_body_vx = sum_6 + d_vx;
+    const real sum_7 = dx->foot_vx * sine + x->foot_vx * d_sine;
+    const real d_vy = dx->vx * sine + x->vx * d_sine + (dx->vy * cosine - x->vy * sine_times_slope);
+    const real d_body_vy = sum_7 + d_vy;
     const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
     const real share = p->body_mass / body_mass_plus_foot_mass;
     const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
     const real d_center_x = sum_3 + (d_share * (x->x_ * cosine - x->y_ * sine) + share * sum_4);
     const real x__times_sine_plus_y__times_cosine = x->x_ * sine + x->y_ * cosine;
     const real d_center_y = height_plus_sum + (d_share * x__times_sine_plus_y__times_cosine + share * sum_5);
-    const real vx_times_cosine_minus_vy_times_sine = x->vx * cosine - x->vy * sine;
-    const real d_center_vx = d_vx + (d_share * vx_times_cosine_minus_vy_times_sine + share * sum_6);
-    const real vx_times_sine_plus_vy_times_cosine = x->vx * sine + x->vy * cosine;
-    const real d_center_vy = d_vy + (d_share * vx_times_sine_plus_vy_times_cosine + share * sum_7);
-    const real vx = x->foot_vx * cosine;
-    const real body_vx = vx + vx_times_cosine_minus_vy_times_sine;
-    const real vy = x->foot_vx * sine;
-    const real body_vy = vy + vx_times_sine_plus_vy_times_cosine;
+    const real vx = x->vx * cosine - x->vy * sine;
+    const real d_center_vx = sum_6 + (d_share * vx + share * d_vx);
+    const real vy = x->vx * sine + x->vy * cosine;
+    const real d_center_vy = sum_7 + (d_share * vy + share * d_vy);
+    const real foot_vx_times_cosine = x->foot_vx * cosine;
+    const real body_vx = foot_vx_times_cosine + vx;
+    const real foot_vx_times_sine = x->foot_vx * sine;
+    const real body_vy = foot_vx_times_sine + vy;
     const real d_of_body = dp->body_mass * (body_vx * body_vx + body_vy * body_vy)
         + p->body_mass * (2.0 * (body_vx * d_body_vx) + 2.0 * (body_vy * d_body_vy));
-    const real d_kinetic_energy = 0.5 * (d_of_body + (dp->foot_mass * (vx * vx + vy * vy)
-        + p->foot_mass * (2.0 * (vx * d_vx) + 2.0 * (vy * d_vy))));
+    const real d_kinetic_energy = 0.5 * (d_of_body
+        + (dp->foot_mass * (foot_vx_times_cosine * foot_vx_times_cosine
+        + foot_vx_times_sine * foot_vx_times_sine) + p->foot_mass * (2.0 * (foot_vx_times_cosine * sum_6)
+        + 2.0 * (foot_vx_times_sine * sum_7))));
     const real height_plus_foot_x_times_sine = x->height + x->foot_x * sine;
     const real body_y = height_plus_foot_x_times_sine + x__times_sine_plus_y__times_cosine;
     const real d_potential_energy = dp->gravity * (p->body_mass * body_y
@@ -2915,19 +2941,20 @@ static void outputs_slip_falling(const real *parameters, const real *states, rea
     const real height_plus_foot_x_times_sine = x->height + x->foot_x * sine;
     const real x__times_sine_plus_y__times_cosine = x->x_ * sine + x->y_ * cosine;
     const real body_y = height_plus_foot_x_times_sine + x__times_sine_plus_y__times_cosine;
-    const real vx = x->foot_vx * cosine;
-    const real vx_times_cosine_minus_vy_times_sine = x->vx * cosine - x->vy * sine;
-    const real body_vx = vx + vx_times_cosine_minus_vy_times_sine;
-    const real vy = x->foot_vx * sine;
-    const real vx_times_sine_plus_vy_times_cosine = x->vx * sine + x->vy * cosine;
-    const real body_vy = vy + vx_times_sine_plus_vy_times_cosine;
+    const real foot_vx_times_cosine = x->foot_vx * cosine;
+    const real vx = x->vx * cosine - x->vy * sine;
+    const real body_vx = foot_vx_times_cosine + vx;
+    const real foot_vx_times_sine = x->foot_vx * sine;
+    const real vy = x->vx * sine + x->vy * cosine;
+    const real body_vy = foot_vx_times_sine + vy;
     const real share = p->body_mass / (p->body_mass + p->foot_mass);
     const real center_x = foot_x_times_cosine + share * x__times_cosine_minus_y__times_sine;
     const real center_y = height_plus_foot_x_times_sine + share * x__times_sine_plus_y__times_cosine;
-    const real center_vx = vx + share * vx_times_cosine_minus_vy_times_sine;
-    const real center_vy = vy + share * vx_times_sine_plus_vy_times_cosine;
+    const real center_vx = foot_vx_times_cosine + share * vx;
+    const real center_vy = foot_vx_times_sine + share * vy;
     const real of_body = p->body_mass * (body_vx * body_vx + body_vy * body_vy);
-    const real kinetic_energy = 0.5 * (of_body + p->foot_mass * (vx * vx + vy * vy));
+    const real kinetic_energy = 0.5 * (of_body + p->foot_mass * (foot_vx_times_cosine * foot_vx_times_cosine
+        + foot_vx_times_sine * foot_vx_times_sine));
     const real potential_energy = p->gravity * (p->body_mass * body_y
         + p->foot_mass * height_plus_foot_x_times_sine);
     const real elastic_energy = 0.5 * (p->stiffness * (shorter * shorter));
@@ -3023,30 +3050,32 @@ static void vary_outputs_slip_falling(const real *parameters, const real *states
     const real height_plus_sum = dx->height + (dx->foot_x * sine + x->foot_x * d_sine);
     const real sum_6 = dx->x_ * sine + x->x_ * d_sine + (dx->y_ * cosine - x->y_ * sine_times_slope);
     const real d_body_y = height_plus_sum + sum_6;
-    const real d_vx = dx->foot_vx * cosine - x->foot_vx * sine_times_slope;
-    const real sum_7 = dx->vx * cosine - x->vx * sine_times_slope - (dx->vy * sine + x->vy * d_sine);
-    const real d_body_vx = d_vx + sum_7;
-    const real d_vy = dx->foot_vx * sine + x->foot_vx * d_sine;
-    const real sum_8 = dx->vx * sine + x->vx * d_sine + (dx->vy * cosine - x->vy * sine_times_slope);
-    const real d_body_vy = d_vy + sum_8;
+    const real sum_7 = dx->foot_vx * cosine - x->foot_vx * sine_times_slope;
+    const real d_vx = dx->vx * cosine - x->vx * sine_times_slope - (dx->vy * sine + x->vy * d_sine);
+    const real d_body_vx = sum_7 + d_vx;
+    const real sum_8 = dx->foot_vx * sine + x->foot_vx * d_sine;
+    const real d_vy = dx->vx * sine + x->vx * d_sine + (dx->vy * cosine - x->vy * sine_times_slope);
+    const real d_body_vy = sum_8 + d_vy;
     const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
     const real share = p->body_mass / body_mass_plus_foot_mass;
     const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
     const real d_center_x = sum_4 + (d_share * (x->x_ * cosine - x->y_ * sine) + share * sum_5);
     const real x__times_sine_plus_y__times_cosine = x->x_ * sine + x->y_ * cosine;
     const real d_center_y = height_plus_sum + (d_share * x__times_sine_plus_y__times_cosine + share * sum_6);
-    const real vx_times_cosine_minus_vy_times_sine = x->vx * cosine - x->vy * sine;
-    const real d_center_vx = d_vx + (d_share * vx_times_cosine_minus_vy_times_sine + share * sum_7);
-    const real vx_times_sine_plus_vy_times_cosine = x->vx * sine + x->vy * cosine;
-    const real d_center_vy = d_vy + (d_share * vx_times_sine_plus_vy_times_cosine + share * sum_8);
-    const real vx = x->foot_vx * cosine;
-    const real body_vx = vx + vx_times_cosine_minus_vy_times_sine;
-    const real vy = x->foot_vx * sine;
-    const real body_vy = vy + vx_times_sine_plus_vy_times_cosine;
+    const real vx = x->vx * cosine - x->vy * sine;
+    const real d_center_vx = sum_7 + (d_share * vx + share * d_vx);
+    const real vy = x->vx * sine + x->vy * cosine;
+    const real d_center_vy = sum_8 + (d_share * vy + share * d_vy);
+    const real foot_vx_times_cosine = x->foot_vx * cosine;
+    const real body_vx = foot_vx_times_cosine + vx;
+    const real foot_vx_times_sine = x->foot_vx * sine;
+    const real body_vy = foot_vx_times_sine + vy;
     const real d_of_body = dp->body_mass * (body_vx * body_vx + body_vy * body_vy)
         + p->body_mass * (2.0 * (body_vx * d_body_vx) + 2.0 * (body_vy * d_body_vy));
-    const real d_kinetic_energy = 0.5 * (d_of_body + (dp->foot_mass * (vx * vx + vy * vy)
-        + p->foot_mass * (2.0 * (vx * d_vx) + 2.0 * (vy * d_vy))));
+    const real d_kinetic_energy = 0.5 * (d_of_body
+        + (dp->foot_mass * (foot_vx_times_cosine * foot_vx_times_cosine
+        + foot_vx_times_sine * foot_vx_times_sine) + p->foot_mass * (2.0 * (foot_vx_times_cosine * sum_7)
+        + 2.0 * (foot_vx_times_sine * sum_8))));
     const real height_plus_foot_x_times_sine = x->height + x->foot_x * sine;
     const real body_y = height_plus_foot_x_times_sine + x__times_sine_plus_y__times_cosine;
     const real d_potential_energy = dp->gravity * (p->body_mass * body_y

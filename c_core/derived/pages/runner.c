@@ -223,8 +223,10 @@ static int react_start_of_run_begins(const real *parameters, const real *states,
         const real friction_or_friction_2 = select(p->keeps_friction > 0.0, friction_2, friction_3);
         const real sum_7 = y_2 * sine - length_times_sin_of_angle * cosine;
         const real sum_8 = y_2 * cosine + length_times_sin_of_angle * sine;
-        const real sum_9 = vx * cosine + vy * sine + along;
-        const real sum_10 = vy * cosine - vx * sine + off;
+        const real seen_vx_plus_vx = x->seen_vx + vx;
+        const real seen_vy_plus_vy = x->seen_vy + vy;
+        const real sum_9 = seen_vx_plus_vx * cosine + seen_vy_plus_vy * sine;
+        const real sum_10 = seen_vy_plus_vy * cosine - seen_vx_plus_vx * sine;
         const real angle_minus_minus_sumatan2_of_sum = x->angle - real_atan2(-sum_7, sum_8);
         const real along_times_along_plus_off_times_off = along * along + off * off;
         const real by_1_or_by_0 = select(x->angle >= 0.0, 1.0, 0.0);
@@ -441,18 +443,22 @@ static void vary_react_start_of_run_begins(const real *parameters, const real *s
             - length_times_sin_of_angle * sine_times_d_set_slope);
         const real sum_plus_sum_2 = d_y * cosine - y_2 * sine_times_d_set_slope + (sum_2 * sine
             + length_times_sin_of_angle * d_sine);
+        const real seen_vx_plus_d_vx = dx->seen_vx + d_vx;
+        const real seen_vx_plus_vx = x->seen_vx + vx;
+        const real seen_vy_plus_d_vy = dx->seen_vy + d_vy;
+        const real seen_vy_plus_vy = x->seen_vy + vy;
+        const real sum_plus_sum_3 = seen_vx_plus_d_vx * cosine - seen_vx_plus_vx * sine_times_d_set_slope
+            + (seen_vy_plus_d_vy * sine + seen_vy_plus_vy * d_sine);
         const real d_along = dx->seen_vx * cosine - x->seen_vx * sine_times_d_set_slope
             + (dx->seen_vy * sine + x->seen_vy * d_sine);
-        const real sum_plus_d_along = d_vx * cosine - vx * sine_times_d_set_slope + (d_vy * sine
-            + vy * d_sine) + d_along;
         const real d_off = dx->seen_vy * cosine - x->seen_vy * sine_times_d_set_slope - (dx->seen_vx * sine
             + x->seen_vx * d_sine);
         const real d_own = select(way > 0.0, d_friction, d_friction_3);
         const real d_friction_along = is_own * d_own + by_1_minus_is_own * dx->friction;
         const real sum_8 = d_friction_along * off + friction_along * d_off;
         const real way_times_d_along_plus_sum = way * d_along + sum_8;
-        const real sum_plus_d_off = d_vy * cosine - vy * sine_times_d_set_slope - (d_vx * sine
-            + vx * d_sine) + d_off;
+        const real sum_minus_sum = seen_vy_plus_d_vy * cosine - seen_vy_plus_vy * sine_times_d_set_slope
+            - (seen_vx_plus_d_vx * sine + seen_vx_plus_vx * d_sine);
         const real sum_9 = y_2 * sine - length_times_sin_of_angle * cosine;
         const real sum_10 = y_2 * cosine + length_times_sin_of_angle * sine;
         const real angle_minus_ratio = dx->angle - (sum_9 * sum_plus_sum_2
@@ -464,7 +470,7 @@ static void vary_react_start_of_run_begins(const real *parameters, const real *s
         y->bar_is_due = 0.0;
         y->x_ = sum_7;
         y->y_ = sum_plus_sum_2;
-        y->vy = sum_plus_d_off;
+        y->vy = sum_minus_sum;
         y->foot_x = sum_plus_sum;
         y->winding = angle_minus_ratio;
         y->driving = 0.0;
@@ -497,12 +503,12 @@ static void vary_react_start_of_run_begins(const real *parameters, const real *s
             const real d_speed_left = select(left > 0.0, d_left, 0.0);
             const real d_speed_after_impact = select(way_times_along <= stopped_speed, 0.0, d_speed_left);
             const real d_after = way * d_speed_after_impact;
-            const real sum_plus_d_along_minus_d_after = sum_plus_d_along - d_after;
+            const real sum_plus_sum_minus_d_after = sum_plus_sum_3 - d_after;
             const real speeds = along_times_along_plus_off_times_off - after_2 * after_2;
             const real d_speeds = sum_11 - 2.0 * (after_2 * d_after);
             const real impact_loss_plus_by_0_5_times_sum = dx->impact_loss + 0.5 * (dp->foot_mass * speeds
                 + p->foot_mass * d_speeds);
-            y->vx = sum_plus_d_along_minus_d_after;
+            y->vx = sum_plus_sum_minus_d_after;
             y->foot_vx = d_after;
             y->impact_loss = impact_loss_plus_by_0_5_times_sum;
             if (way * after_2 > 0.0) {
@@ -524,12 +530,12 @@ static void vary_react_start_of_run_begins(const real *parameters, const real *s
         const real way_times_by_0_or_sum = way * select(way_times_along <= minus_product, 0.0, sum_5);
         const real product_2 = way * select(way_times_along <= minus_product, 0.0,
             way_times_d_along_plus_sum);
-        const real sum_plus_d_along_minus_product = sum_plus_d_along - product_2;
+        const real sum_plus_sum_minus_product = sum_plus_sum_3 - product_2;
         const real impact_loss_plus_by_0_5_times_sum = dx->impact_loss
             + 0.5 * (dp->foot_mass * (along_times_along_plus_off_times_off
             - way_times_by_0_or_sum * way_times_by_0_or_sum) + p->foot_mass * (sum_11
             - 2.0 * (way_times_by_0_or_sum * product_2)));
-        y->vx = sum_plus_d_along_minus_product;
+        y->vx = sum_plus_sum_minus_product;
         y->foot_vx = product_2;
         y->impact_loss = impact_loss_plus_by_0_5_times_sum;
         if (way * way_times_by_0_or_sum > 0.0) {
@@ -1177,9 +1183,10 @@ static int react_slip_constant_lift_off(const real *parameters, const real *stat
     const real angle_rate = moment / square;
     const real foot_mass_times_gravity_times_cosine = p->foot_mass * p->gravity * cosine;
     const real by_1eminus_06_times_free_length = 1e-06 * p->free_length;
-    const real hardly = 1e-12 * (p->stiffness * p->free_length) * select(x__times_x_ >
-        by_1eminus_06_times_free_length * by_1eminus_06_times_free_length, 1000.0, -1.0);
-    const real minus_hardly = -hardly;
+    const real product_2 = by_1eminus_06_times_free_length * by_1eminus_06_times_free_length;
+    const real stiffness_times_free_length = p->stiffness * p->free_length;
+    const real hardly = select(x__times_x_ > product_2, 1e-09 * stiffness_times_free_length,
+        -(1e-12 * stiffness_times_free_length));
     const real x_2 = x->foot_x * cosine;
     const real x_plus_product = x_2 + share * (x->x_ * cosine - x->y_ * sine);
     const real y_2 = x->foot_x * sine;
@@ -1195,6 +1202,7 @@ static int react_slip_constant_lift_off(const real *parameters, const real *stat
     const real begins = select(x->thrusting < 0.0, select(work >= 0.0, work, 0.0), 0.0);
     const real positive_leg_work_plus_work_or_begins = x->positive_leg_work + select(work > 0.0, work,
         begins);
+    const real product_3 = 1e-06 * stiffness_times_free_length;
     y->liftoff_angle = angle;
     y->placing = goes_on_times_placed_for;
     y->rises_again = goes_on;
@@ -1206,8 +1214,12 @@ static int react_slip_constant_lift_off(const real *parameters, const real *stat
         const real turning = swing_torque / square;
         const real off = axial_times_y_ + turning * x->x_;
         const real normal = off + foot_mass_times_gravity_times_cosine;
+        const real lift = -normal;
         y->swing = 2.0;
-        if (normal < minus_hardly) {
+        if (lift > hardly) {
+            const real hops = select(x__times_x_ > product_2, product_3 + normal, -1.0);
+            const real hopped = select(hops > 0.0, 1.0, x->has_hopped);
+            const real hop_time = select(hops > 0.0, x->time, x->hop_time);
             y->length = length;
             y->angle = angle;
             y->length_rate = length_rate;
@@ -1219,6 +1231,8 @@ static int react_slip_constant_lift_off(const real *parameters, const real *stat
             y->thrusting = 0.0;
             y->leg_work = leg_work_plus_work;
             y->positive_leg_work = positive_leg_work_plus_work_or_begins;
+            y->has_hopped = hopped;
+            y->hop_time = hop_time;
             return next[0]; /* flight */
         }
         return next[1]; /* graze */
@@ -1229,7 +1243,9 @@ static int react_slip_constant_lift_off(const real *parameters, const real *stat
         const real flight_lifts = axial_times_y_ + x->external_torque / square * x->x_
             + foot_mass_times_gravity_times_cosine;
         y->swing = 0.0;
-        if (flight_lifts < minus_hardly) {
+        if (-flight_lifts > hardly) {
+            const real product_plus_flight_lifts_or_by_minus_1 = select(x__times_x_ > product_2, product_3
+                + flight_lifts, -1.0);
             y->length = length;
             y->angle = angle;
             y->length_rate = length_rate;
@@ -1241,13 +1257,17 @@ static int react_slip_constant_lift_off(const real *parameters, const real *stat
             y->thrusting = 0.0;
             y->leg_work = leg_work_plus_work;
             y->positive_leg_work = positive_leg_work_plus_work_or_begins;
+            y->has_hopped = select(product_plus_flight_lifts_or_by_minus_1 > 0.0, 1.0, x->has_hopped);
+            y->hop_time = select(product_plus_flight_lifts_or_by_minus_1 > 0.0, x->time, x->hop_time);
             return next[0]; /* flight */
         }
         return next[1]; /* graze */
     }
+    const real sum_2 = axial_times_y_ + (x->external_torque + retracting_torque) / square * x->x_
+        + foot_mass_times_gravity_times_cosine;
     y->swing = 1.0;
-    if (axial_times_y_ + (x->external_torque + retracting_torque) / square * x->x_
-        + foot_mass_times_gravity_times_cosine < minus_hardly) {
+    if (-sum_2 > hardly) {
+        const real product_plus_sum_or_by_minus_1 = select(x__times_x_ > product_2, product_3 + sum_2, -1.0);
         y->length = length;
         y->angle = angle;
         y->length_rate = length_rate;
@@ -1259,6 +1279,8 @@ static int react_slip_constant_lift_off(const real *parameters, const real *stat
         y->thrusting = 0.0;
         y->leg_work = leg_work_plus_work;
         y->positive_leg_work = positive_leg_work_plus_work_or_begins;
+        y->has_hopped = select(product_plus_sum_or_by_minus_1 > 0.0, 1.0, x->has_hopped);
+        y->hop_time = select(product_plus_sum_or_by_minus_1 > 0.0, x->time, x->hop_time);
         return next[0]; /* flight */
     }
     return next[1]; /* graze */
@@ -1296,9 +1318,10 @@ static void vary_react_slip_constant_lift_off(const real *parameters, const real
     const real angle_rate = moment / square;
     const real foot_mass_times_gravity_times_cosine = p->foot_mass * p->gravity * cosine;
     const real by_1eminus_06_times_free_length = 1e-06 * p->free_length;
-    const real hardly = 1e-12 * (p->stiffness * p->free_length) * select(x__times_x_ >
-        by_1eminus_06_times_free_length * by_1eminus_06_times_free_length, 1000.0, -1.0);
-    const real minus_hardly = -hardly;
+    const real product_2 = by_1eminus_06_times_free_length * by_1eminus_06_times_free_length;
+    const real stiffness_times_free_length = p->stiffness * p->free_length;
+    const real hardly = select(x__times_x_ > product_2, 1e-09 * stiffness_times_free_length,
+        -(1e-12 * stiffness_times_free_length));
     const real d_square = 2.0 * (x->x_ * dx->x_) + 2.0 * (x->y_ * dx->y_);
     const real d_length = 0.5 * d_square / length;
     const real d_angle = (x->x_ * dx->y_ - x->y_ * dx->x_) / square + dx->winding;
@@ -1337,6 +1360,7 @@ static void vary_react_slip_constant_lift_off(const real *parameters, const real
     const real sum_3 = dx->positive_leg_work + select(work > 0.0, d_work, d_begins);
     const real d_goes_on = select(x->time <= x->touchdown_time, dx->was_placed, 0.0);
     const real sum_4 = d_goes_on * x->placed_for + goes_on * dx->placed_for;
+    const real product_3 = 1e-06 * stiffness_times_free_length;
     y->liftoff_angle = d_angle;
     y->swing = 0.0;
     y->placing = sum_4;
@@ -1349,7 +1373,11 @@ static void vary_react_slip_constant_lift_off(const real *parameters, const real
         const real turning = swing_torque / square;
         const real off = axial_times_y_ + turning * x->x_;
         const real normal = off + foot_mass_times_gravity_times_cosine;
-        if (normal < minus_hardly) {
+        const real lift = -normal;
+        if (lift > hardly) {
+            const real hops = select(x__times_x_ > product_2, product_3 + normal, -1.0);
+            const real d_hopped = select(hops > 0.0, 0.0, dx->has_hopped);
+            const real d_hop_time = select(hops > 0.0, dx->time, dx->hop_time);
             y->length = d_length;
             y->angle = d_angle;
             y->length_rate = d_length_rate;
@@ -1361,6 +1389,8 @@ static void vary_react_slip_constant_lift_off(const real *parameters, const real
             y->thrusting = 0.0;
             y->leg_work = leg_work_plus_d_work;
             y->positive_leg_work = sum_3;
+            y->has_hopped = d_hopped;
+            y->hop_time = d_hop_time;
             return;
         }
         return;
@@ -1370,7 +1400,9 @@ static void vary_react_slip_constant_lift_off(const real *parameters, const real
     if (p->swing_clamp > 0.0 && retracting_torque <= 0.0) {
         const real flight_lifts = axial_times_y_ + x->external_torque / square * x->x_
             + foot_mass_times_gravity_times_cosine;
-        if (flight_lifts < minus_hardly) {
+        if (-flight_lifts > hardly) {
+            const real product_plus_flight_lifts_or_by_minus_1 = select(x__times_x_ > product_2, product_3
+                + flight_lifts, -1.0);
             y->length = d_length;
             y->angle = d_angle;
             y->length_rate = d_length_rate;
@@ -1382,12 +1414,16 @@ static void vary_react_slip_constant_lift_off(const real *parameters, const real
             y->thrusting = 0.0;
             y->leg_work = leg_work_plus_d_work;
             y->positive_leg_work = sum_3;
+            y->has_hopped = select(product_plus_flight_lifts_or_by_minus_1 > 0.0, 0.0, dx->has_hopped);
+            y->hop_time = select(product_plus_flight_lifts_or_by_minus_1 > 0.0, dx->time, dx->hop_time);
             return;
         }
         return;
     }
-    if (axial_times_y_ + (x->external_torque + retracting_torque) / square * x->x_
-        + foot_mass_times_gravity_times_cosine < minus_hardly) {
+    const real sum_5 = axial_times_y_ + (x->external_torque + retracting_torque) / square * x->x_
+        + foot_mass_times_gravity_times_cosine;
+    if (-sum_5 > hardly) {
+        const real product_plus_sum_or_by_minus_1 = select(x__times_x_ > product_2, product_3 + sum_5, -1.0);
         y->length = d_length;
         y->angle = d_angle;
         y->length_rate = d_length_rate;
@@ -1399,6 +1435,8 @@ static void vary_react_slip_constant_lift_off(const real *parameters, const real
         y->thrusting = 0.0;
         y->leg_work = leg_work_plus_d_work;
         y->positive_leg_work = sum_3;
+        y->has_hopped = select(product_plus_sum_or_by_minus_1 > 0.0, 0.0, dx->has_hopped);
+        y->hop_time = select(product_plus_sum_or_by_minus_1 > 0.0, dx->time, dx->hop_time);
         return;
     }
 }
@@ -1843,19 +1881,20 @@ static void outputs_slip_constant(const real *parameters, const real *states, re
     const real height_plus_foot_x_times_sine = x->height + x->foot_x * sine;
     const real x__times_sine_plus_y__times_cosine = x->x_ * sine + x->y_ * cosine;
     const real body_y = height_plus_foot_x_times_sine + x__times_sine_plus_y__times_cosine;
-    const real vx = x->foot_vx * cosine;
-    const real vx_times_cosine_minus_vy_times_sine = x->vx * cosine - x->vy * sine;
-    const real body_vx = vx + vx_times_cosine_minus_vy_times_sine;
-    const real vy = x->foot_vx * sine;
-    const real vx_times_sine_plus_vy_times_cosine = x->vx * sine + x->vy * cosine;
-    const real body_vy = vy + vx_times_sine_plus_vy_times_cosine;
+    const real foot_vx_times_cosine = x->foot_vx * cosine;
+    const real vx = x->vx * cosine - x->vy * sine;
+    const real body_vx = foot_vx_times_cosine + vx;
+    const real foot_vx_times_sine = x->foot_vx * sine;
+    const real vy = x->vx * sine + x->vy * cosine;
+    const real body_vy = foot_vx_times_sine + vy;
     const real share = p->body_mass / (p->body_mass + p->foot_mass);
     const real center_x = foot_x_times_cosine + share * x__times_cosine_minus_y__times_sine;
     const real center_y = height_plus_foot_x_times_sine + share * x__times_sine_plus_y__times_cosine;
-    const real center_vx = vx + share * vx_times_cosine_minus_vy_times_sine;
-    const real center_vy = vy + share * vx_times_sine_plus_vy_times_cosine;
+    const real center_vx = foot_vx_times_cosine + share * vx;
+    const real center_vy = foot_vx_times_sine + share * vy;
     const real of_body = p->body_mass * (body_vx * body_vx + body_vy * body_vy);
-    const real kinetic_energy = 0.5 * (of_body + p->foot_mass * (vx * vx + vy * vy));
+    const real kinetic_energy = 0.5 * (of_body + p->foot_mass * (foot_vx_times_cosine * foot_vx_times_cosine
+        + foot_vx_times_sine * foot_vx_times_sine));
     const real potential_energy = p->gravity * (p->body_mass * body_y
         + p->foot_mass * height_plus_foot_x_times_sine);
     const real elastic_energy = 0.5 * (p->stiffness * (shorter * shorter));
@@ -1949,30 +1988,32 @@ static void vary_outputs_slip_constant(const real *parameters, const real *state
     const real height_plus_sum = dx->height + (dx->foot_x * sine + x->foot_x * d_sine);
     const real sum_5 = dx->x_ * sine + x->x_ * d_sine + (dx->y_ * cosine - x->y_ * sine_times_slope);
     const real d_body_y = height_plus_sum + sum_5;
-    const real d_vx = dx->foot_vx * cosine - x->foot_vx * sine_times_slope;
-    const real sum_6 = dx->vx * cosine - x->vx * sine_times_slope - (dx->vy * sine + x->vy * d_sine);
-    const real d_body_vx = d_vx + sum_6;
-    const real d_vy = dx->foot_vx * sine + x->foot_vx * d_sine;
-    const real sum_7 = dx->vx * sine + x->vx * d_sine + (dx->vy * cosine - x->vy * sine_times_slope);
-    const real d_body_vy = d_vy + sum_7;
+    const real sum_6 = dx->foot_vx * cosine - x->foot_vx * sine_times_slope;
+    const real d_vx = dx->vx * cosine - x->vx * sine_times_slope - (dx->vy * sine + x->vy * d_sine);
+    const real d_body_vx = sum_6 + d_vx;
+    const real sum_7 = dx->foot_vx * sine + x->foot_vx * d_sine;
+    const real d_vy = dx->vx * sine + x->vx * d_sine + (dx->vy * cosine - x->vy * sine_times_slope);
+    const real d_body_vy = sum_7 + d_vy;
     const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
     const real share = p->body_mass / body_mass_plus_foot_mass;
     const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
     const real d_center_x = sum_3 + (d_share * (x->x_ * cosine - x->y_ * sine) + share * sum_4);
     const real x__times_sine_plus_y__times_cosine = x->x_ * sine + x->y_ * cosine;
     const real d_center_y = height_plus_sum + (d_share * x__times_sine_plus_y__times_cosine + share * sum_5);
-    const real vx_times_cosine_minus_vy_times_sine = x->vx * cosine - x->vy * sine;
-    const real d_center_vx = d_vx + (d_share * vx_times_cosine_minus_vy_times_sine + share * sum_6);
-    const real vx_times_sine_plus_vy_times_cosine = x->vx * sine + x->vy * cosine;
-    const real d_center_vy = d_vy + (d_share * vx_times_sine_plus_vy_times_cosine + share * sum_7);
-    const real vx = x->foot_vx * cosine;
-    const real body_vx = vx + vx_times_cosine_minus_vy_times_sine;
-    const real vy = x->foot_vx * sine;
-    const real body_vy = vy + vx_times_sine_plus_vy_times_cosine;
+    const real vx = x->vx * cosine - x->vy * sine;
+    const real d_center_vx = sum_6 + (d_share * vx + share * d_vx);
+    const real vy = x->vx * sine + x->vy * cosine;
+    const real d_center_vy = sum_7 + (d_share * vy + share * d_vy);
+    const real foot_vx_times_cosine = x->foot_vx * cosine;
+    const real body_vx = foot_vx_times_cosine + vx;
+    const real foot_vx_times_sine = x->foot_vx * sine;
+    const real body_vy = foot_vx_times_sine + vy;
     const real d_of_body = dp->body_mass * (body_vx * body_vx + body_vy * body_vy)
         + p->body_mass * (2.0 * (body_vx * d_body_vx) + 2.0 * (body_vy * d_body_vy));
-    const real d_kinetic_energy = 0.5 * (d_of_body + (dp->foot_mass * (vx * vx + vy * vy)
-        + p->foot_mass * (2.0 * (vx * d_vx) + 2.0 * (vy * d_vy))));
+    const real d_kinetic_energy = 0.5 * (d_of_body
+        + (dp->foot_mass * (foot_vx_times_cosine * foot_vx_times_cosine
+        + foot_vx_times_sine * foot_vx_times_sine) + p->foot_mass * (2.0 * (foot_vx_times_cosine * sum_6)
+        + 2.0 * (foot_vx_times_sine * sum_7))));
     const real height_plus_foot_x_times_sine = x->height + x->foot_x * sine;
     const real body_y = height_plus_foot_x_times_sine + x__times_sine_plus_y__times_cosine;
     const real d_potential_energy = dp->gravity * (p->body_mass * body_y
@@ -2784,19 +2825,20 @@ static void outputs_stick(const real *parameters, const real *states, real *outp
     const real height_plus_foot_x_times_sine = x->height + x->foot_x * sine;
     const real x__times_sine_plus_y__times_cosine = x->x_ * sine + x->y_ * cosine;
     const real body_y = height_plus_foot_x_times_sine + x__times_sine_plus_y__times_cosine;
-    const real vx = x->foot_vx * cosine;
-    const real vx_times_cosine_minus_vy_times_sine = x->vx * cosine - x->vy * sine;
-    const real body_vx = vx + vx_times_cosine_minus_vy_times_sine;
-    const real vy = x->foot_vx * sine;
-    const real vx_times_sine_plus_vy_times_cosine = x->vx * sine + x->vy * cosine;
-    const real body_vy = vy + vx_times_sine_plus_vy_times_cosine;
+    const real foot_vx_times_cosine = x->foot_vx * cosine;
+    const real vx = x->vx * cosine - x->vy * sine;
+    const real body_vx = foot_vx_times_cosine + vx;
+    const real foot_vx_times_sine = x->foot_vx * sine;
+    const real vy = x->vx * sine + x->vy * cosine;
+    const real body_vy = foot_vx_times_sine + vy;
     const real share = p->body_mass / (p->body_mass + p->foot_mass);
     const real center_x = foot_x_times_cosine + share * x__times_cosine_minus_y__times_sine;
     const real center_y = height_plus_foot_x_times_sine + share * x__times_sine_plus_y__times_cosine;
-    const real center_vx = vx + share * vx_times_cosine_minus_vy_times_sine;
-    const real center_vy = vy + share * vx_times_sine_plus_vy_times_cosine;
+    const real center_vx = foot_vx_times_cosine + share * vx;
+    const real center_vy = foot_vx_times_sine + share * vy;
     const real of_body = p->body_mass * (body_vx * body_vx + body_vy * body_vy);
-    const real kinetic_energy = 0.5 * (of_body + p->foot_mass * (vx * vx + vy * vy));
+    const real kinetic_energy = 0.5 * (of_body + p->foot_mass * (foot_vx_times_cosine * foot_vx_times_cosine
+        + foot_vx_times_sine * foot_vx_times_sine));
     const real potential_energy = p->gravity * (p->body_mass * body_y
         + p->foot_mass * height_plus_foot_x_times_sine);
     const real elastic_energy = 0.5 * (p->stiffness * (shorter * shorter));
@@ -2882,30 +2924,32 @@ static void vary_outputs_stick(const real *parameters, const real *states, const
     const real height_plus_sum = dx->height + (dx->foot_x * sine + x->foot_x * d_sine);
     const real sum_5 = dx->x_ * sine + x->x_ * d_sine + (dx->y_ * cosine - x->y_ * sine_times_slope);
     const real d_body_y = height_plus_sum + sum_5;
-    const real d_vx = dx->foot_vx * cosine - x->foot_vx * sine_times_slope;
-    const real sum_6 = dx->vx * cosine - x->vx * sine_times_slope - (dx->vy * sine + x->vy * d_sine);
-    const real d_body_vx = d_vx + sum_6;
-    const real d_vy = dx->foot_vx * sine + x->foot_vx * d_sine;
-    const real sum_7 = dx->vx * sine + x->vx * d_sine + (dx->vy * cosine - x->vy * sine_times_slope);
-    const real d_body_vy = d_vy + sum_7;
+    const real sum_6 = dx->foot_vx * cosine - x->foot_vx * sine_times_slope;
+    const real d_vx = dx->vx * cosine - x->vx * sine_times_slope - (dx->vy * sine + x->vy * d_sine);
+    const real d_body_vx = sum_6 + d_vx;
+    const real sum_7 = dx->foot_vx * sine + x->foot_vx * d_sine;
+    const real d_vy = dx->vx * sine + x->vx * d_sine + (dx->vy * cosine - x->vy * sine_times_slope);
+    const real d_body_vy = sum_7 + d_vy;
     const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
     const real share = p->body_mass / body_mass_plus_foot_mass;
     const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
     const real d_center_x = sum_3 + (d_share * (x->x_ * cosine - x->y_ * sine) + share * sum_4);
     const real x__times_sine_plus_y__times_cosine = x->x_ * sine + x->y_ * cosine;
     const real d_center_y = height_plus_sum + (d_share * x__times_sine_plus_y__times_cosine + share * sum_5);
-    const real vx_times_cosine_minus_vy_times_sine = x->vx * cosine - x->vy * sine;
-    const real d_center_vx = d_vx + (d_share * vx_times_cosine_minus_vy_times_sine + share * sum_6);
-    const real vx_times_sine_plus_vy_times_cosine = x->vx * sine + x->vy * cosine;
-    const real d_center_vy = d_vy + (d_share * vx_times_sine_plus_vy_times_cosine + share * sum_7);
-    const real vx = x->foot_vx * cosine;
-    const real body_vx = vx + vx_times_cosine_minus_vy_times_sine;
-    const real vy = x->foot_vx * sine;
-    const real body_vy = vy + vx_times_sine_plus_vy_times_cosine;
+    const real vx = x->vx * cosine - x->vy * sine;
+    const real d_center_vx = sum_6 + (d_share * vx + share * d_vx);
+    const real vy = x->vx * sine + x->vy * cosine;
+    const real d_center_vy = sum_7 + (d_share * vy + share * d_vy);
+    const real foot_vx_times_cosine = x->foot_vx * cosine;
+    const real body_vx = foot_vx_times_cosine + vx;
+    const real foot_vx_times_sine = x->foot_vx * sine;
+    const real body_vy = foot_vx_times_sine + vy;
     const real d_of_body = dp->body_mass * (body_vx * body_vx + body_vy * body_vy)
         + p->body_mass * (2.0 * (body_vx * d_body_vx) + 2.0 * (body_vy * d_body_vy));
-    const real d_kinetic_energy = 0.5 * (d_of_body + (dp->foot_mass * (vx * vx + vy * vy)
-        + p->foot_mass * (2.0 * (vx * d_vx) + 2.0 * (vy * d_vy))));
+    const real d_kinetic_energy = 0.5 * (d_of_body
+        + (dp->foot_mass * (foot_vx_times_cosine * foot_vx_times_cosine
+        + foot_vx_times_sine * foot_vx_times_sine) + p->foot_mass * (2.0 * (foot_vx_times_cosine * sum_6)
+        + 2.0 * (foot_vx_times_sine * sum_7))));
     const real height_plus_foot_x_times_sine = x->height + x->foot_x * sine;
     const real body_y = height_plus_foot_x_times_sine + x__times_sine_plus_y__times_cosine;
     const real d_potential_energy = dp->gravity * (p->body_mass * body_y
@@ -3972,13 +4016,16 @@ static real vary_guard_flight_calm_apex(const real *parameters, const real *stat
     return dx->com_vy;
 }
 
-/* touchdown: The foot reaches the ground. */
+/* touchdown: The foot reaches the ground. Where the lift of the flight law vanishes, shorter and shorter
+ * hops follow each other. After one of no time the foot grazes, until the flight law has ceased to lift it
+ * and lifts it again. */
 static int react_flight_calm_touchdown(const real *parameters, const real *states, const tdmf_table *tables,
     real *after, const int *next) {
     const runner_parameters *p = (const void *)parameters;
     const runner_states *x = (const void *)states;
     runner_states *y = (void *)after;
-    const real share = p->body_mass / (p->body_mass + p->foot_mass);
+    const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
+    const real share = p->body_mass / body_mass_plus_foot_mass;
     const real sine = real_sin(x->angle);
     const real turn = x->momentum / x->length;
     const real cosine = real_cos(x->angle);
@@ -3988,90 +4035,100 @@ static int react_flight_calm_touchdown(const real *parameters, const real *state
     const real vy = x->length_rate * cosine - turn * sine;
     const real com_vy_minus_share_times_vy = x->com_vy - share * vy;
     const real sin_of_slope = real_sin(x->slope);
-    const real along = com_vx_minus_share_times_vx * cos_of_slope
+    const real product_plus_product = com_vx_minus_share_times_vx * cos_of_slope
         + com_vy_minus_share_times_vy * sin_of_slope;
-    const real way = select(along >= 0.0, 1.0, -1.0);
-    const real way_times_along = way * along;
-    const real ends = select(x->segment_end < 1000000000000.0, 1.0, 0.0);
     const real length_times_sine = x->length * sine;
     const real sum_2 = x->com_x + share * length_times_sine;
+    const real y_2 = x->length * cosine;
+    const real sum_3 = y_2 * sin_of_slope - length_times_sine * cos_of_slope;
+    const real sum_4 = y_2 * cos_of_slope + length_times_sine * sin_of_slope;
+    const real along = sum_2 * cos_of_slope + (x->com_y - share * y_2 - x->height) * sin_of_slope;
+    const real angle_minus_minus_sumatan2_of_sum = x->angle - real_atan2(-sum_3, sum_4);
+    y->x_ = sum_3;
+    y->y_ = sum_4;
+    y->foot_x = along;
+    y->winding = angle_minus_minus_sumatan2_of_sum;
+    if (x->has_hopped > 0.0 && x->time <= x->hop_time) {
+        y->vx = vx * cos_of_slope + vy * sin_of_slope;
+        y->vy = vy * cos_of_slope - vx * sin_of_slope;
+        y->foot_vx = product_plus_product;
+        return next[0]; /* graze */
+    }
+    const real way = select(product_plus_product >= 0.0, 1.0, -1.0);
+    const real way_times_product_plus_product = way * product_plus_product;
+    const real ends = select(x->segment_end < 1000000000000.0, 1.0, 0.0);
     const real by_1eminus_12_times_free_length = 1e-12 * p->free_length;
-    const real sum_3 = sum_2 + by_1eminus_12_times_free_length;
+    const real sum_5 = sum_2 + by_1eminus_12_times_free_length;
     const real begins = select(x->segment_begin > -1000000000000.0, 1.0, 0.0);
-    const real segment_towards = x->segment + ends * select(sum_3 > x->segment_end, 1.0, 0.0)
-        - begins * select(sum_3 < x->segment_begin, 1.0, 0.0);
+    const real segment_towards = x->segment + ends * select(sum_5 > x->segment_end, 1.0, 0.0)
+        - begins * select(sum_5 < x->segment_begin, 1.0, 0.0);
     const real friction = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction,
         segment_towards, select(real_abs(segment_towards - 1.0) > 0.0, -1.0, p->patch_friction));
-    const real sum_4 = sum_2 - by_1eminus_12_times_free_length;
-    const real sum_5 = x->segment + ends * select(sum_4 > x->segment_end, 1.0, 0.0)
-        - begins * select(sum_4 < x->segment_begin, 1.0, 0.0);
-    const real friction_2 = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, sum_5,
-        select(real_abs(sum_5 - 1.0) > 0.0, -1.0, p->patch_friction));
+    const real sum_6 = sum_2 - by_1eminus_12_times_free_length;
+    const real sum_7 = x->segment + ends * select(sum_6 > x->segment_end, 1.0, 0.0)
+        - begins * select(sum_6 < x->segment_begin, 1.0, 0.0);
+    const real friction_2 = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, sum_7,
+        select(real_abs(sum_7 - 1.0) > 0.0, -1.0, p->patch_friction));
     const real own = select(way > 0.0, friction, friction_2);
     const real is_own = select(own < 0.0, 0.0, 1.0);
-    const real off = com_vy_minus_share_times_vy * cos_of_slope - com_vx_minus_share_times_vx * sin_of_slope;
+    const real product_minus_product = com_vy_minus_share_times_vy * cos_of_slope
+        - com_vx_minus_share_times_vx * sin_of_slope;
     const real friction_along = is_own * own + (1.0 - is_own) * x->friction;
-    const real friction_along_times_off = friction_along * off;
-    const real sum_6 = way_times_along + friction_along_times_off;
+    const real product_2 = friction_along * product_minus_product;
+    const real sum_8 = way_times_product_plus_product + product_2;
     const real touchdowns_so_far_plus_by_1 = x->touchdowns_so_far + 1.0;
-    const real y_2 = x->length * cosine;
-    const real sum_times_cos_of_slope_plus_product = sum_2 * cos_of_slope + (x->com_y - share * y_2
-        - x->height) * sin_of_slope;
-    const real product_plus_product = sum_times_cos_of_slope_plus_product * cos_of_slope
+    const real along_times_cos_of_slope_plus_product = along * cos_of_slope
         + by_1eminus_12_times_free_length * way;
-    const real sum_7 = x->segment + ends * select(product_plus_product > x->segment_end, 1.0, 0.0)
-        - begins * select(product_plus_product < x->segment_begin, 1.0, 0.0);
+    const real sum_9 = x->segment + ends * select(along_times_cos_of_slope_plus_product > x->segment_end, 1.0,
+        0.0) - begins * select(along_times_cos_of_slope_plus_product < x->segment_begin, 1.0, 0.0);
     const real end = select(p->patch_end > p->patch_begin, p->patch_end, 1000000000000.0);
     const real begin = select(p->patch_end > p->patch_begin, p->patch_begin, 1000000000000.0);
-    const real begin_2 = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_begin, sum_7,
-        select(sum_7 > 0.0, select(sum_7 > 1.0, end, begin), -1000000000000.0));
-    const real end_2 = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_end, sum_7,
-        select(sum_7 > 0.0, select(sum_7 > 1.0, 1000000000000.0, end), begin));
-    const real height = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_height, sum_7, 0.0);
-    const real slope = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope, sum_7, 0.0);
-    const real friction_3 = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, sum_7,
-        select(real_abs(sum_7 - 1.0) > 0.0, -1.0, p->patch_friction));
+    const real begin_2 = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_begin, sum_9,
+        select(sum_9 > 0.0, select(sum_9 > 1.0, end, begin), -1000000000000.0));
+    const real end_2 = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_end, sum_9,
+        select(sum_9 > 0.0, select(sum_9 > 1.0, 1000000000000.0, end), begin));
+    const real height = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_height, sum_9, 0.0);
+    const real slope = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope, sum_9, 0.0);
+    const real friction_3 = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, sum_9,
+        select(real_abs(sum_9 - 1.0) > 0.0, -1.0, p->patch_friction));
     const real friction_or_friction = select(p->keeps_friction > 0.0, friction, friction_3);
     const real friction_or_friction_2 = select(p->keeps_friction > 0.0, friction_2, friction_3);
-    const real sum_8 = y_2 * sin_of_slope - length_times_sine * cos_of_slope;
-    const real sum_9 = y_2 * cos_of_slope + length_times_sine * sin_of_slope;
-    const real sum_plus_along = vx * cos_of_slope + vy * sin_of_slope + along;
-    const real sum_plus_off = vy * cos_of_slope - vx * sin_of_slope + off;
-    const real angle_minus_minus_sumatan2_of_sum = x->angle - real_atan2(-sum_8, sum_9);
-    const real along_times_along_plus_off_times_off = along * along + off * off;
+    const real foot_mass_over_body_mass_plus_foot_mass = p->foot_mass / body_mass_plus_foot_mass;
+    const real com_vx_plus_product = x->com_vx + foot_mass_over_body_mass_plus_foot_mass * vx;
+    const real com_vy_plus_product = x->com_vy + foot_mass_over_body_mass_plus_foot_mass * vy;
+    const real sum_10 = com_vx_plus_product * cos_of_slope + com_vy_plus_product * sin_of_slope;
+    const real sum_11 = com_vy_plus_product * cos_of_slope - com_vx_plus_product * sin_of_slope;
+    const real product_plus_product_2 = product_plus_product * product_plus_product
+        + product_minus_product * product_minus_product;
     const real by_1_or_by_0 = select(x->angle >= 0.0, 1.0, 0.0);
     const real is_placing = select(x->swing < 2.0, 0.0, 1.0);
     y->touchdowns_so_far = touchdowns_so_far_plus_by_1;
-    y->slid_from = sum_times_cos_of_slope_plus_product;
+    y->slid_from = along;
     y->bar_is_due = 1.0;
-    y->x_ = sum_8;
-    y->y_ = sum_9;
-    y->vy = sum_plus_off;
-    y->foot_x = sum_times_cos_of_slope_plus_product;
-    y->winding = angle_minus_minus_sumatan2_of_sum;
+    y->vy = sum_11;
     y->driving = by_1_or_by_0;
     y->placing = 0.0;
     y->touchdown_time = x->time;
     y->was_placed = is_placing;
     y->placed_for = x->placing;
     if (p->stribeck_velocity > 0.0 && p->static_ratio > 1.0) {
-        const real product_2 = (p->static_ratio
-            - 1.0) * real_expm1(friction_along_times_off / p->stribeck_velocity);
-        const real gained = -product_2;
-        const real stopped_speed = p->stribeck_velocity * real_log1p(gained) - friction_along_times_off;
-        const real left = sum_6
-            + p->stribeck_velocity * real_log1p(product_2 * real_exp(-(sum_6 / p->stribeck_velocity)));
+        const real product_3 = (p->static_ratio - 1.0) * real_expm1(product_2 / p->stribeck_velocity);
+        const real gained = -product_3;
+        const real stopped_speed = p->stribeck_velocity * real_log1p(gained) - product_2;
+        const real left = sum_8
+            + p->stribeck_velocity * real_log1p(product_3 * real_exp(-(sum_8 / p->stribeck_velocity)));
         const real speed_left = select(left > 0.0, left, 0.0);
-        const real speed_after_impact = select(way_times_along <= stopped_speed, 0.0, speed_left);
+        const real speed_after_impact = select(way_times_product_plus_product <= stopped_speed, 0.0,
+            speed_left);
         const real after_2 = way * speed_after_impact;
-        const real sum_plus_along_minus_after = sum_plus_along - after_2;
-        const real speeds = along_times_along_plus_off_times_off - after_2 * after_2;
-        const real sum_10 = x->impact_loss + 0.5 * (p->foot_mass * speeds);
-        y->vx = sum_plus_along_minus_after;
+        const real sum_minus_after = sum_10 - after_2;
+        const real speeds = product_plus_product_2 - after_2 * after_2;
+        const real sum_12 = x->impact_loss + 0.5 * (p->foot_mass * speeds);
+        y->vx = sum_minus_after;
         y->foot_vx = after_2;
-        y->impact_loss = sum_10;
+        y->impact_loss = sum_12;
         if (way * after_2 > 0.0) {
-            y->segment = sum_7;
+            y->segment = sum_9;
             y->segment_begin = begin_2;
             y->segment_end = end_2;
             y->segment_height = height;
@@ -4079,22 +4136,22 @@ static int react_flight_calm_touchdown(const real *parameters, const real *state
             y->friction_ahead = friction_or_friction;
             y->friction_behind = friction_or_friction_2;
             y->way = way;
-            return next[0]; /* slip */
+            return next[1]; /* slip */
         }
         y->friction_ahead = friction;
         y->friction_behind = friction_2;
-        return next[1]; /* stick */
+        return next[2]; /* stick */
     }
-    const real way_times_by_0_or_sum = way * select(way_times_along <= -(p->static_ratio *
-        friction_along_times_off), 0.0, sum_6);
-    const real sum_10 = sum_plus_along - way_times_by_0_or_sum;
-    const real sum_11 = x->impact_loss + 0.5 * (p->foot_mass * (along_times_along_plus_off_times_off
-        - way_times_by_0_or_sum * way_times_by_0_or_sum));
-    y->vx = sum_10;
+    const real way_times_by_0_or_sum = way * select(way_times_product_plus_product <= -(p->static_ratio *
+        product_2), 0.0, sum_8);
+    const real sum_minus_way_times_by_0_or_sum = sum_10 - way_times_by_0_or_sum;
+    const real impact_loss_plus_by_0_5_times_product = x->impact_loss
+        + 0.5 * (p->foot_mass * (product_plus_product_2 - way_times_by_0_or_sum * way_times_by_0_or_sum));
+    y->vx = sum_minus_way_times_by_0_or_sum;
     y->foot_vx = way_times_by_0_or_sum;
-    y->impact_loss = sum_11;
+    y->impact_loss = impact_loss_plus_by_0_5_times_product;
     if (way * way_times_by_0_or_sum > 0.0) {
-        y->segment = sum_7;
+        y->segment = sum_9;
         y->segment_begin = begin_2;
         y->segment_end = end_2;
         y->segment_height = height;
@@ -4102,11 +4159,11 @@ static int react_flight_calm_touchdown(const real *parameters, const real *state
         y->friction_ahead = friction_or_friction;
         y->friction_behind = friction_or_friction_2;
         y->way = way;
-        return next[0]; /* slip */
+        return next[1]; /* slip */
     }
     y->friction_ahead = friction;
     y->friction_behind = friction_2;
-    return next[1]; /* stick */
+    return next[2]; /* stick */
 }
 
 /* First variation of touchdown. */
@@ -4128,107 +4185,133 @@ static void vary_react_flight_calm_touchdown(const real *parameters, const real 
     const real vy = x->length_rate * cosine - turn * sine;
     const real com_vy_minus_share_times_vy = x->com_vy - share * vy;
     const real sin_of_slope = real_sin(x->slope);
-    const real along = com_vx_minus_share_times_vx * cos_of_slope
-        + com_vy_minus_share_times_vy * sin_of_slope;
-    const real way = select(along >= 0.0, 1.0, -1.0);
-    const real way_times_along = way * along;
-    const real ends = select(x->segment_end < 1000000000000.0, 1.0, 0.0);
     const real length_times_sine = x->length * sine;
     const real sum_2 = x->com_x + share * length_times_sine;
-    const real by_1eminus_12_times_free_length = 1e-12 * p->free_length;
-    const real sum_3 = sum_2 + by_1eminus_12_times_free_length;
-    const real begins = select(x->segment_begin > -1000000000000.0, 1.0, 0.0);
-    const real segment_towards = x->segment + ends * select(sum_3 > x->segment_end, 1.0, 0.0)
-        - begins * select(sum_3 < x->segment_begin, 1.0, 0.0);
-    const real abs_of_segment_towards_minus_by_1 = real_abs(segment_towards - 1.0);
-    const real sum_4 = sum_2 - by_1eminus_12_times_free_length;
-    const real sum_5 = x->segment + ends * select(sum_4 > x->segment_end, 1.0, 0.0)
-        - begins * select(sum_4 < x->segment_begin, 1.0, 0.0);
-    const real abs_of_sum_minus_by_1 = real_abs(sum_5 - 1.0);
-    const real own = select(way > 0.0, looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction,
-        segment_towards, select(abs_of_segment_towards_minus_by_1 > 0.0, -1.0, p->patch_friction)),
-        looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, sum_5,
-        select(abs_of_sum_minus_by_1 > 0.0, -1.0, p->patch_friction)));
-    const real is_own = select(own < 0.0, 0.0, 1.0);
-    const real by_1_minus_is_own = 1.0 - is_own;
-    const real friction_along = is_own * own + by_1_minus_is_own * x->friction;
-    const real off = com_vy_minus_share_times_vy * cos_of_slope - com_vx_minus_share_times_vx * sin_of_slope;
-    const real friction_along_times_off = friction_along * off;
-    const real sum_6 = way_times_along + friction_along_times_off;
-    const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
-    const real d_sine = cosine * dx->angle;
-    const real sum_7 = dx->length * sine + x->length * d_sine;
-    const real sin_of_slope_times_slope = sin_of_slope * dx->slope;
-    const real y_2 = x->length * cosine;
     const real sine_times_angle = sine * dx->angle;
     const real d_y = dx->length * cosine - x->length * sine_times_angle;
-    const real com_y_minus_share_times_y_minus_height = x->com_y - share * y_2 - x->height;
+    const real y_2 = x->length * cosine;
     const real cos_of_slope_times_slope = cos_of_slope * dx->slope;
-    const real sum_plus_sum = (dx->com_x + (d_share * length_times_sine + share * sum_7)) * cos_of_slope
-        - sum_2 * sin_of_slope_times_slope + ((dx->com_y - (d_share * y_2 + share * d_y)
-        - dx->height) * sin_of_slope + com_y_minus_share_times_y_minus_height * cos_of_slope_times_slope);
-    const real product_plus_product = (sum_2 * cos_of_slope
-        + com_y_minus_share_times_y_minus_height * sin_of_slope) * cos_of_slope
-        + by_1eminus_12_times_free_length * way;
-    const real sum_8 = x->segment + ends * select(product_plus_product > x->segment_end, 1.0, 0.0)
-        - begins * select(product_plus_product < x->segment_begin, 1.0, 0.0);
-    const real d_end = select(p->patch_end > p->patch_begin, dp->patch_end, 0.0);
-    const real d_begin = select(p->patch_end > p->patch_begin, dp->patch_begin, 0.0);
-    const real d_begin_2 = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_begin,
-        seed, sum_8, select(sum_8 > 0.0, select(sum_8 > 1.0, d_end, d_begin), 0.0));
-    const real d_end_2 = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_end, seed,
-        sum_8, select(sum_8 > 0.0, select(sum_8 > 1.0, 0.0, d_end), d_begin));
-    const real d_height = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_height,
-        seed, sum_8, 0.0);
-    const real d_slope = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope, seed,
-        sum_8, 0.0);
-    const real d_friction = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction,
-        seed, segment_towards, select(abs_of_segment_towards_minus_by_1 > 0.0, 0.0, dp->patch_friction));
-    const real d_friction_2 = variation_looked_up(tables, TABLE_ground_segment,
-        COLUMN_ground_segment_friction, seed, sum_8, select(real_abs(sum_8 - 1.0) > 0.0, 0.0,
-        dp->patch_friction));
-    const real d_friction_or_d_friction = select(p->keeps_friction > 0.0, d_friction, d_friction_2);
-    const real d_friction_3 = variation_looked_up(tables, TABLE_ground_segment,
-        COLUMN_ground_segment_friction, seed, sum_5, select(abs_of_sum_minus_by_1 > 0.0, 0.0,
-        dp->patch_friction));
-    const real d_friction_or_d_friction_2 = select(p->keeps_friction > 0.0, d_friction_3, d_friction_2);
-    const real sum_9 = d_y * sin_of_slope + y_2 * cos_of_slope_times_slope - (sum_7 * cos_of_slope
+    const real d_sine = cosine * dx->angle;
+    const real sum_3 = dx->length * sine + x->length * d_sine;
+    const real sin_of_slope_times_slope = sin_of_slope * dx->slope;
+    const real sum_4 = d_y * sin_of_slope + y_2 * cos_of_slope_times_slope - (sum_3 * cos_of_slope
         - length_times_sine * sin_of_slope_times_slope);
-    const real sum_10 = d_y * cos_of_slope - y_2 * sin_of_slope_times_slope + (sum_7 * sin_of_slope
+    const real sum_5 = d_y * cos_of_slope - y_2 * sin_of_slope_times_slope + (sum_3 * sin_of_slope
         + length_times_sine * cos_of_slope_times_slope);
     const real d_turn = (dx->momentum - turn * dx->length) / x->length;
     const real d_vx = -(dx->length_rate * sine + x->length_rate * d_sine) - (d_turn * cosine
         - turn * sine_times_angle);
     const real d_vy = dx->length_rate * cosine - x->length_rate * sine_times_angle - (d_turn * sine
         + turn * d_sine);
-    const real sum_11 = dx->com_vx - (d_share * vx + share * d_vx);
-    const real sum_12 = dx->com_vy - (d_share * vy + share * d_vy);
-    const real d_along = sum_11 * cos_of_slope - com_vx_minus_share_times_vx * sin_of_slope_times_slope
-        + (sum_12 * sin_of_slope + com_vy_minus_share_times_vy * cos_of_slope_times_slope);
-    const real sum_plus_sum_plus_d_along = d_vx * cos_of_slope - vx * sin_of_slope_times_slope
-        + (d_vy * sin_of_slope + vy * cos_of_slope_times_slope) + d_along;
-    const real d_off = sum_12 * cos_of_slope - com_vy_minus_share_times_vy * sin_of_slope_times_slope
-        - (sum_11 * sin_of_slope + com_vx_minus_share_times_vx * cos_of_slope_times_slope);
+    const real body_mass_plus_foot_mass_2 = dp->body_mass + dp->foot_mass;
+    const real d_share = (dp->body_mass - share * body_mass_plus_foot_mass_2) / body_mass_plus_foot_mass;
+    const real com_y_minus_share_times_y_minus_height = x->com_y - share * y_2 - x->height;
+    const real d_along = (dx->com_x + (d_share * length_times_sine + share * sum_3)) * cos_of_slope
+        - sum_2 * sin_of_slope_times_slope + ((dx->com_y - (d_share * y_2 + share * d_y)
+        - dx->height) * sin_of_slope + com_y_minus_share_times_y_minus_height * cos_of_slope_times_slope);
+    const real sum_6 = dx->com_vx - (d_share * vx + share * d_vx);
+    const real sum_7 = dx->com_vy - (d_share * vy + share * d_vy);
+    const real sum_8 = sum_6 * cos_of_slope - com_vx_minus_share_times_vx * sin_of_slope_times_slope
+        + (sum_7 * sin_of_slope + com_vy_minus_share_times_vy * cos_of_slope_times_slope);
+    const real sum_9 = y_2 * sin_of_slope - length_times_sine * cos_of_slope;
+    const real sum_10 = y_2 * cos_of_slope + length_times_sine * sin_of_slope;
+    const real angle_minus_ratio = dx->angle - (sum_9 * sum_5 - sum_10 * sum_4) / (sum_9 * sum_9
+        + sum_10 * sum_10);
+    y->x_ = sum_4;
+    y->y_ = sum_5;
+    y->foot_x = d_along;
+    y->winding = angle_minus_ratio;
+    if (x->has_hopped > 0.0 && x->time <= x->hop_time) {
+        y->vx = d_vx * cos_of_slope - vx * sin_of_slope_times_slope + (d_vy * sin_of_slope
+            + vy * cos_of_slope_times_slope);
+        y->vy = d_vy * cos_of_slope - vy * sin_of_slope_times_slope - (d_vx * sin_of_slope
+            + vx * cos_of_slope_times_slope);
+        y->foot_vx = sum_8;
+        return;
+    }
+    const real product_plus_product = com_vx_minus_share_times_vx * cos_of_slope
+        + com_vy_minus_share_times_vy * sin_of_slope;
+    const real way = select(product_plus_product >= 0.0, 1.0, -1.0);
+    const real way_times_product_plus_product = way * product_plus_product;
+    const real ends = select(x->segment_end < 1000000000000.0, 1.0, 0.0);
+    const real by_1eminus_12_times_free_length = 1e-12 * p->free_length;
+    const real sum_11 = sum_2 + by_1eminus_12_times_free_length;
+    const real begins = select(x->segment_begin > -1000000000000.0, 1.0, 0.0);
+    const real segment_towards = x->segment + ends * select(sum_11 > x->segment_end, 1.0, 0.0)
+        - begins * select(sum_11 < x->segment_begin, 1.0, 0.0);
+    const real abs_of_segment_towards_minus_by_1 = real_abs(segment_towards - 1.0);
+    const real sum_12 = sum_2 - by_1eminus_12_times_free_length;
+    const real sum_13 = x->segment + ends * select(sum_12 > x->segment_end, 1.0, 0.0)
+        - begins * select(sum_12 < x->segment_begin, 1.0, 0.0);
+    const real abs_of_sum_minus_by_1 = real_abs(sum_13 - 1.0);
+    const real own = select(way > 0.0, looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction,
+        segment_towards, select(abs_of_segment_towards_minus_by_1 > 0.0, -1.0, p->patch_friction)),
+        looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction, sum_13,
+        select(abs_of_sum_minus_by_1 > 0.0, -1.0, p->patch_friction)));
+    const real is_own = select(own < 0.0, 0.0, 1.0);
+    const real by_1_minus_is_own = 1.0 - is_own;
+    const real friction_along = is_own * own + by_1_minus_is_own * x->friction;
+    const real product_minus_product = com_vy_minus_share_times_vy * cos_of_slope
+        - com_vx_minus_share_times_vx * sin_of_slope;
+    const real product_2 = friction_along * product_minus_product;
+    const real sum_14 = way_times_product_plus_product + product_2;
+    const real along = sum_2 * cos_of_slope + com_y_minus_share_times_y_minus_height * sin_of_slope;
+    const real along_times_cos_of_slope_plus_product = along * cos_of_slope
+        + by_1eminus_12_times_free_length * way;
+    const real sum_15 = x->segment + ends * select(along_times_cos_of_slope_plus_product > x->segment_end,
+        1.0, 0.0) - begins * select(along_times_cos_of_slope_plus_product < x->segment_begin, 1.0, 0.0);
+    const real d_end = select(p->patch_end > p->patch_begin, dp->patch_end, 0.0);
+    const real d_begin = select(p->patch_end > p->patch_begin, dp->patch_begin, 0.0);
+    const real d_begin_2 = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_begin,
+        seed, sum_15, select(sum_15 > 0.0, select(sum_15 > 1.0, d_end, d_begin), 0.0));
+    const real d_end_2 = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_end, seed,
+        sum_15, select(sum_15 > 0.0, select(sum_15 > 1.0, 0.0, d_end), d_begin));
+    const real d_height = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_height,
+        seed, sum_15, 0.0);
+    const real d_slope = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope, seed,
+        sum_15, 0.0);
+    const real d_friction = variation_looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction,
+        seed, segment_towards, select(abs_of_segment_towards_minus_by_1 > 0.0, 0.0, dp->patch_friction));
+    const real d_friction_2 = variation_looked_up(tables, TABLE_ground_segment,
+        COLUMN_ground_segment_friction, seed, sum_15, select(real_abs(sum_15 - 1.0) > 0.0, 0.0,
+        dp->patch_friction));
+    const real d_friction_or_d_friction = select(p->keeps_friction > 0.0, d_friction, d_friction_2);
+    const real d_friction_3 = variation_looked_up(tables, TABLE_ground_segment,
+        COLUMN_ground_segment_friction, seed, sum_13, select(abs_of_sum_minus_by_1 > 0.0, 0.0,
+        dp->patch_friction));
+    const real d_friction_or_d_friction_2 = select(p->keeps_friction > 0.0, d_friction_3, d_friction_2);
+    const real foot_mass_over_body_mass_plus_foot_mass = p->foot_mass / body_mass_plus_foot_mass;
+    const real ratio = (dp->foot_mass
+        - foot_mass_over_body_mass_plus_foot_mass * body_mass_plus_foot_mass_2) / body_mass_plus_foot_mass;
+    const real com_vx_plus_ratio_times_vx_plus_product = dx->com_vx + (ratio * vx
+        + foot_mass_over_body_mass_plus_foot_mass * d_vx);
+    const real com_vx_plus_product = x->com_vx + foot_mass_over_body_mass_plus_foot_mass * vx;
+    const real com_vy_plus_ratio_times_vy_plus_product = dx->com_vy + (ratio * vy
+        + foot_mass_over_body_mass_plus_foot_mass * d_vy);
+    const real com_vy_plus_product = x->com_vy + foot_mass_over_body_mass_plus_foot_mass * vy;
+    const real sum_16 = com_vx_plus_ratio_times_vx_plus_product * cos_of_slope
+        - com_vx_plus_product * sin_of_slope_times_slope
+        + (com_vy_plus_ratio_times_vy_plus_product * sin_of_slope
+        + com_vy_plus_product * cos_of_slope_times_slope);
+    const real sum_17 = sum_7 * cos_of_slope - com_vy_minus_share_times_vy * sin_of_slope_times_slope
+        - (sum_6 * sin_of_slope + com_vx_minus_share_times_vx * cos_of_slope_times_slope);
     const real d_own = select(way > 0.0, d_friction, d_friction_3);
     const real d_friction_along = is_own * d_own + by_1_minus_is_own * dx->friction;
-    const real sum_13 = d_friction_along * off + friction_along * d_off;
-    const real way_times_d_along_plus_sum = way * d_along + sum_13;
-    const real sum_minus_sum_plus_d_off = d_vy * cos_of_slope - vy * sin_of_slope_times_slope
-        - (d_vx * sin_of_slope + vx * cos_of_slope_times_slope) + d_off;
-    const real sum_14 = y_2 * sin_of_slope - length_times_sine * cos_of_slope;
-    const real sum_15 = y_2 * cos_of_slope + length_times_sine * sin_of_slope;
-    const real angle_minus_ratio = dx->angle - (sum_14 * sum_10 - sum_15 * sum_9) / (sum_14 * sum_14
-        + sum_15 * sum_15);
-    const real along_times_along_plus_off_times_off = along * along + off * off;
-    const real sum_16 = 2.0 * (along * d_along) + 2.0 * (off * d_off);
+    const real product_plus_friction_along_times_sum = d_friction_along * product_minus_product
+        + friction_along * sum_17;
+    const real sum_18 = way * sum_8 + product_plus_friction_along_times_sum;
+    const real sum_19 = com_vy_plus_ratio_times_vy_plus_product * cos_of_slope
+        - com_vy_plus_product * sin_of_slope_times_slope
+        - (com_vx_plus_ratio_times_vx_plus_product * sin_of_slope
+        + com_vx_plus_product * cos_of_slope_times_slope);
+    const real product_plus_product_2 = product_plus_product * product_plus_product
+        + product_minus_product * product_minus_product;
+    const real product_plus_product_3 = 2.0 * (product_plus_product * sum_8)
+        + 2.0 * (product_minus_product * sum_17);
     y->touchdowns_so_far = dx->touchdowns_so_far;
-    y->slid_from = sum_plus_sum;
+    y->slid_from = d_along;
     y->bar_is_due = 0.0;
-    y->x_ = sum_9;
-    y->y_ = sum_10;
-    y->vy = sum_minus_sum_plus_d_off;
-    y->foot_x = sum_plus_sum;
-    y->winding = angle_minus_ratio;
+    y->vy = sum_19;
     y->driving = 0.0;
     y->placing = 0.0;
     y->touchdown_time = dx->time;
@@ -4236,36 +4319,39 @@ static void vary_react_flight_calm_touchdown(const real *parameters, const real 
     y->placed_for = dx->placing;
     if (p->stribeck_velocity > 0.0 && p->static_ratio > 1.0) {
         const real static_ratio_minus_by_1 = p->static_ratio - 1.0;
-        const real ratio = friction_along_times_off / p->stribeck_velocity;
-        const real expm1_of_ratio = real_expm1(ratio);
-        const real product_2 = static_ratio_minus_by_1 * expm1_of_ratio;
-        const real gained = -product_2;
-        const real stopped_speed = p->stribeck_velocity * real_log1p(gained) - friction_along_times_off;
-        const real sum_over_stribeck_velocity = sum_6 / p->stribeck_velocity;
+        const real product_over_stribeck_velocity = product_2 / p->stribeck_velocity;
+        const real expm1_of_product_over_stribeck_velocity = real_expm1(product_over_stribeck_velocity);
+        const real product_3 = static_ratio_minus_by_1 * expm1_of_product_over_stribeck_velocity;
+        const real gained = -product_3;
+        const real stopped_speed = p->stribeck_velocity * real_log1p(gained) - product_2;
+        const real sum_over_stribeck_velocity = sum_14 / p->stribeck_velocity;
         const real exp_of_minus_sum_over_stribeck_velocity = real_exp(-sum_over_stribeck_velocity);
-        const real product_3 = product_2 * exp_of_minus_sum_over_stribeck_velocity;
-        const real log1p_of_product = real_log1p(product_3);
-        const real left = sum_6 + p->stribeck_velocity * log1p_of_product;
+        const real product_4 = product_3 * exp_of_minus_sum_over_stribeck_velocity;
+        const real log1p_of_product = real_log1p(product_4);
+        const real left = sum_14 + p->stribeck_velocity * log1p_of_product;
         const real speed_left = select(left > 0.0, left, 0.0);
-        const real speed_after_impact = select(way_times_along <= stopped_speed, 0.0, speed_left);
+        const real speed_after_impact = select(way_times_product_plus_product <= stopped_speed, 0.0,
+            speed_left);
         const real after_2 = way * speed_after_impact;
-        const real d_left = way_times_d_along_plus_sum + (dp->stribeck_velocity * log1p_of_product
-            + p->stribeck_velocity * (((dp->static_ratio * expm1_of_ratio
-            + static_ratio_minus_by_1 * ((expm1_of_ratio + 1.0) * ((sum_13
-            - ratio * dp->stribeck_velocity) / p->stribeck_velocity))) *
+        const real d_left = sum_18 + (dp->stribeck_velocity * log1p_of_product
+            + p->stribeck_velocity * (((dp->static_ratio * expm1_of_product_over_stribeck_velocity
+            + static_ratio_minus_by_1 * ((expm1_of_product_over_stribeck_velocity
+            + 1.0) * ((product_plus_friction_along_times_sum
+            - product_over_stribeck_velocity * dp->stribeck_velocity) / p->stribeck_velocity))) *
             exp_of_minus_sum_over_stribeck_velocity
-            - product_2 * (exp_of_minus_sum_over_stribeck_velocity * ((way_times_d_along_plus_sum
+            - product_3 * (exp_of_minus_sum_over_stribeck_velocity * ((sum_18
             - sum_over_stribeck_velocity * dp->stribeck_velocity) / p->stribeck_velocity))) / (1.0
-            + product_3)));
+            + product_4)));
         const real d_speed_left = select(left > 0.0, d_left, 0.0);
-        const real d_speed_after_impact = select(way_times_along <= stopped_speed, 0.0, d_speed_left);
+        const real d_speed_after_impact = select(way_times_product_plus_product <= stopped_speed, 0.0,
+            d_speed_left);
         const real d_after = way * d_speed_after_impact;
-        const real sum_plus_sum_plus_d_along_minus_d_after = sum_plus_sum_plus_d_along - d_after;
-        const real speeds = along_times_along_plus_off_times_off - after_2 * after_2;
-        const real d_speeds = sum_16 - 2.0 * (after_2 * d_after);
+        const real sum_minus_d_after = sum_16 - d_after;
+        const real speeds = product_plus_product_2 - after_2 * after_2;
+        const real d_speeds = product_plus_product_3 - 2.0 * (after_2 * d_after);
         const real impact_loss_plus_by_0_5_times_sum = dx->impact_loss + 0.5 * (dp->foot_mass * speeds
             + p->foot_mass * d_speeds);
-        y->vx = sum_plus_sum_plus_d_along_minus_d_after;
+        y->vx = sum_minus_d_after;
         y->foot_vx = d_after;
         y->impact_loss = impact_loss_plus_by_0_5_times_sum;
         if (way * after_2 > 0.0) {
@@ -4283,17 +4369,18 @@ static void vary_react_flight_calm_touchdown(const real *parameters, const real 
         y->friction_behind = d_friction_3;
         return;
     }
-    const real minus_product = -(p->static_ratio * friction_along_times_off);
-    const real way_times_by_0_or_sum = way * select(way_times_along <= minus_product, 0.0, sum_6);
-    const real product_2 = way * select(way_times_along <= minus_product, 0.0, way_times_d_along_plus_sum);
-    const real sum_plus_sum_plus_d_along_minus_product = sum_plus_sum_plus_d_along - product_2;
-    const real impact_loss_plus_by_0_5_times_sum = dx->impact_loss
-        + 0.5 * (dp->foot_mass * (along_times_along_plus_off_times_off
-        - way_times_by_0_or_sum * way_times_by_0_or_sum) + p->foot_mass * (sum_16
-        - 2.0 * (way_times_by_0_or_sum * product_2)));
-    y->vx = sum_plus_sum_plus_d_along_minus_product;
-    y->foot_vx = product_2;
-    y->impact_loss = impact_loss_plus_by_0_5_times_sum;
+    const real minus_static_ratio_times_product = -(p->static_ratio * product_2);
+    const real way_times_by_0_or_sum = way * select(way_times_product_plus_product <=
+        minus_static_ratio_times_product, 0.0, sum_14);
+    const real way_times_by_0_or_sum_2 = way * select(way_times_product_plus_product <=
+        minus_static_ratio_times_product, 0.0, sum_18);
+    const real sum_minus_way_times_by_0_or_sum = sum_16 - way_times_by_0_or_sum_2;
+    const real impact_loss_plus_product = dx->impact_loss + 0.5 * (dp->foot_mass * (product_plus_product_2
+        - way_times_by_0_or_sum * way_times_by_0_or_sum) + p->foot_mass * (product_plus_product_3
+        - 2.0 * (way_times_by_0_or_sum * way_times_by_0_or_sum_2)));
+    y->vx = sum_minus_way_times_by_0_or_sum;
+    y->foot_vx = way_times_by_0_or_sum_2;
+    y->impact_loss = impact_loss_plus_product;
     if (way * way_times_by_0_or_sum > 0.0) {
         y->segment = dx->segment;
         y->segment_begin = d_begin_2;
@@ -4432,26 +4519,26 @@ static void outputs_flight_calm(const real *parameters, const real *states, real
         0.0) * x->thrusting;
     const real shorter = rest_length - x->length;
     const real spring = p->stiffness * shorter - p->damping * x->length_rate;
-    const real body_mass_over_body_mass_plus_foot_mass = p->body_mass / (p->body_mass + p->foot_mass);
+    const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
+    const real foot_mass_over_body_mass_plus_foot_mass = p->foot_mass / body_mass_plus_foot_mass;
     const real sin_of_angle = real_sin(x->angle);
-    const real length_times_sin_of_angle = x->length * sin_of_angle;
-    const real body_x = x->com_x + body_mass_over_body_mass_plus_foot_mass * length_times_sin_of_angle
-        - length_times_sin_of_angle;
+    const real body_x = x->com_x - foot_mass_over_body_mass_plus_foot_mass * (x->length * sin_of_angle);
     const real cos_of_angle = real_cos(x->angle);
     const real y_2 = x->length * cos_of_angle;
-    const real com_y_minus_product = x->com_y - body_mass_over_body_mass_plus_foot_mass * y_2;
-    const real body_y = com_y_minus_product + y_2;
+    const real body_y = x->com_y + foot_mass_over_body_mass_plus_foot_mass * y_2;
     const real momentum_over_length = x->momentum / x->length;
     const real vx = -(x->length_rate * sin_of_angle) - momentum_over_length * cos_of_angle;
-    const real com_vx_minus_product = x->com_vx - body_mass_over_body_mass_plus_foot_mass * vx;
-    const real body_vx = com_vx_minus_product + vx;
+    const real body_vx = x->com_vx + foot_mass_over_body_mass_plus_foot_mass * vx;
     const real vy = x->length_rate * cos_of_angle - momentum_over_length * sin_of_angle;
-    const real com_vy_minus_product = x->com_vy - body_mass_over_body_mass_plus_foot_mass * vy;
-    const real body_vy = com_vy_minus_product + vy;
+    const real body_vy = x->com_vy + foot_mass_over_body_mass_plus_foot_mass * vy;
     const real of_body = p->body_mass * (body_vx * body_vx + body_vy * body_vy);
+    const real body_mass_over_body_mass_plus_foot_mass = p->body_mass / body_mass_plus_foot_mass;
+    const real com_vx_minus_product = x->com_vx - body_mass_over_body_mass_plus_foot_mass * vx;
+    const real com_vy_minus_product = x->com_vy - body_mass_over_body_mass_plus_foot_mass * vy;
     const real kinetic_energy = 0.5 * (of_body + p->foot_mass * (com_vx_minus_product * com_vx_minus_product
         + com_vy_minus_product * com_vy_minus_product));
-    const real potential_energy = p->gravity * (p->body_mass * body_y + p->foot_mass * com_y_minus_product);
+    const real potential_energy = p->gravity * (p->body_mass * body_y + p->foot_mass * (x->com_y
+        - body_mass_over_body_mass_plus_foot_mass * y_2));
     const real elastic_energy = 0.5 * (p->stiffness * (shorter * shorter));
     const real energy = kinetic_energy + potential_energy + elastic_energy;
     const real phase_of_hip = select(x->swing < 2.0, 3.0, 4.0);
@@ -4513,49 +4600,51 @@ static void vary_outputs_flight_calm(const real *parameters, const real *states,
     const real d_spring = dp->stiffness * shorter + p->stiffness * d_shorter - (dp->damping * x->length_rate
         + p->damping * dx->length_rate);
     const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
-    const real body_mass_over_body_mass_plus_foot_mass = p->body_mass / body_mass_plus_foot_mass;
-    const real ratio = (dp->body_mass - body_mass_over_body_mass_plus_foot_mass * (dp->body_mass
-        + dp->foot_mass)) / body_mass_plus_foot_mass;
+    const real foot_mass_over_body_mass_plus_foot_mass = p->foot_mass / body_mass_plus_foot_mass;
+    const real body_mass_plus_foot_mass_2 = dp->body_mass + dp->foot_mass;
+    const real ratio = (dp->foot_mass
+        - foot_mass_over_body_mass_plus_foot_mass * body_mass_plus_foot_mass_2) / body_mass_plus_foot_mass;
     const real sin_of_angle = real_sin(x->angle);
     const real cos_of_angle = real_cos(x->angle);
     const real cos_of_angle_times_angle = cos_of_angle * dx->angle;
-    const real sum_2 = dx->length * sin_of_angle + x->length * cos_of_angle_times_angle;
-    const real d_body_x = dx->com_x + (ratio * (x->length * sin_of_angle)
-        + body_mass_over_body_mass_plus_foot_mass * sum_2) - sum_2;
+    const real d_body_x = dx->com_x - (ratio * (x->length * sin_of_angle)
+        + foot_mass_over_body_mass_plus_foot_mass * (dx->length * sin_of_angle
+        + x->length * cos_of_angle_times_angle));
     const real y_2 = x->length * cos_of_angle;
     const real sin_of_angle_times_angle = sin_of_angle * dx->angle;
     const real d_y = dx->length * cos_of_angle - x->length * sin_of_angle_times_angle;
-    const real com_y_minus_ratio_times_y_plus_product = dx->com_y - (ratio * y_2
-        + body_mass_over_body_mass_plus_foot_mass * d_y);
-    const real d_body_y = com_y_minus_ratio_times_y_plus_product + d_y;
+    const real d_body_y = dx->com_y + (ratio * y_2 + foot_mass_over_body_mass_plus_foot_mass * d_y);
     const real momentum_over_length = x->momentum / x->length;
     const real vx = -(x->length_rate * sin_of_angle) - momentum_over_length * cos_of_angle;
     const real sum_over_length = (dx->momentum - momentum_over_length * dx->length) / x->length;
     const real d_vx = -(dx->length_rate * sin_of_angle + x->length_rate * cos_of_angle_times_angle)
         - (sum_over_length * cos_of_angle - momentum_over_length * sin_of_angle_times_angle);
-    const real sum_3 = dx->com_vx - (ratio * vx + body_mass_over_body_mass_plus_foot_mass * d_vx);
-    const real d_body_vx = sum_3 + d_vx;
+    const real d_body_vx = dx->com_vx + (ratio * vx + foot_mass_over_body_mass_plus_foot_mass * d_vx);
     const real vy = x->length_rate * cos_of_angle - momentum_over_length * sin_of_angle;
     const real d_vy = dx->length_rate * cos_of_angle - x->length_rate * sin_of_angle_times_angle
         - (sum_over_length * sin_of_angle + momentum_over_length * cos_of_angle_times_angle);
-    const real sum_4 = dx->com_vy - (ratio * vy + body_mass_over_body_mass_plus_foot_mass * d_vy);
-    const real d_body_vy = sum_4 + d_vy;
-    const real com_vx_minus_product = x->com_vx - body_mass_over_body_mass_plus_foot_mass * vx;
-    const real body_vx = com_vx_minus_product + vx;
-    const real com_vy_minus_product = x->com_vy - body_mass_over_body_mass_plus_foot_mass * vy;
-    const real body_vy = com_vy_minus_product + vy;
+    const real d_body_vy = dx->com_vy + (ratio * vy + foot_mass_over_body_mass_plus_foot_mass * d_vy);
+    const real body_vx = x->com_vx + foot_mass_over_body_mass_plus_foot_mass * vx;
+    const real body_vy = x->com_vy + foot_mass_over_body_mass_plus_foot_mass * vy;
     const real d_of_body = dp->body_mass * (body_vx * body_vx + body_vy * body_vy)
         + p->body_mass * (2.0 * (body_vx * d_body_vx) + 2.0 * (body_vy * d_body_vy));
+    const real body_mass_over_body_mass_plus_foot_mass = p->body_mass / body_mass_plus_foot_mass;
+    const real com_vx_minus_product = x->com_vx - body_mass_over_body_mass_plus_foot_mass * vx;
+    const real com_vy_minus_product = x->com_vy - body_mass_over_body_mass_plus_foot_mass * vy;
+    const real ratio_2 = (dp->body_mass
+        - body_mass_over_body_mass_plus_foot_mass * body_mass_plus_foot_mass_2) / body_mass_plus_foot_mass;
     const real d_kinetic_energy = 0.5 * (d_of_body
         + (dp->foot_mass * (com_vx_minus_product * com_vx_minus_product
         + com_vy_minus_product * com_vy_minus_product)
-        + p->foot_mass * (2.0 * (com_vx_minus_product * sum_3) + 2.0 * (com_vy_minus_product * sum_4))));
+        + p->foot_mass * (2.0 * (com_vx_minus_product * (dx->com_vx - (ratio_2 * vx
+        + body_mass_over_body_mass_plus_foot_mass * d_vx))) + 2.0 * (com_vy_minus_product * (dx->com_vy
+        - (ratio_2 * vy + body_mass_over_body_mass_plus_foot_mass * d_vy))))));
+    const real body_y = x->com_y + foot_mass_over_body_mass_plus_foot_mass * y_2;
     const real com_y_minus_product = x->com_y - body_mass_over_body_mass_plus_foot_mass * y_2;
-    const real body_y = com_y_minus_product + y_2;
     const real d_potential_energy = dp->gravity * (p->body_mass * body_y
         + p->foot_mass * com_y_minus_product) + p->gravity * (dp->body_mass * body_y
-        + p->body_mass * d_body_y + (dp->foot_mass * com_y_minus_product
-        + p->foot_mass * com_y_minus_ratio_times_y_plus_product));
+        + p->body_mass * d_body_y + (dp->foot_mass * com_y_minus_product + p->foot_mass * (dx->com_y
+        - (ratio_2 * y_2 + body_mass_over_body_mass_plus_foot_mass * d_y))));
     const real d_elastic_energy = 0.5 * (dp->stiffness * (shorter * shorter)
         + p->stiffness * (2.0 * (shorter * d_shorter)));
     const real d_energy = d_kinetic_energy + d_potential_energy + d_elastic_energy;
@@ -5745,6 +5834,16 @@ static void vary_react_graze_graze_to_flight(const real *parameters, const real 
     y->positive_leg_work = dx->positive_leg_work + select(work > 0.0, d_work, d_begins);
 }
 
+/* True if graze_to_flight has to cross zero. */
+static real crosses_graze_graze_to_flight(const real *parameters, const real *states) {
+    const runner_states *x = (const void *)states;
+    (void)parameters;
+    if (x->has_hopped > 0.0 && x->mode_began <= x->hop_time) {
+        return 1.0;
+    }
+    return 0.0;
+}
+
 /* First variation of the guard of graze_to_flight. */
 static real vary_guard_graze_graze_to_flight(const real *parameters, const real *states,
     const real *d_parameters, const real *d_states) {
@@ -5825,28 +5924,29 @@ static void outputs_graze(const real *parameters, const real *states, real *outp
     const real cosine = real_cos(x->slope);
     const real off = p->foot_mass * p->gravity * cosine;
     const real torque = -((spring / length * x->y_ + off) / x->x_ * square);
-    const real x_2 = x->foot_x * cosine;
+    const real foot_x_times_cosine = x->foot_x * cosine;
     const real sine = real_sin(x->slope);
-    const real x__times_cosine_minus_y__times_sine = x->x_ * cosine - x->y_ * sine;
-    const real body_x = x_2 + x__times_cosine_minus_y__times_sine;
-    const real y_2 = x->foot_x * sine;
-    const real height_plus_y = x->height + y_2;
-    const real x__times_sine_plus_y__times_cosine = x->x_ * sine + x->y_ * cosine;
-    const real body_y = height_plus_y + x__times_sine_plus_y__times_cosine;
-    const real vx = x->foot_vx * cosine;
-    const real vx_times_cosine_minus_vy_times_sine = x->vx * cosine - x->vy * sine;
-    const real body_vx = vx + vx_times_cosine_minus_vy_times_sine;
-    const real vy = x->foot_vx * sine;
-    const real vx_times_sine_plus_vy_times_cosine = x->vx * sine + x->vy * cosine;
-    const real body_vy = vy + vx_times_sine_plus_vy_times_cosine;
+    const real x_2 = x->x_ * cosine - x->y_ * sine;
+    const real body_x = foot_x_times_cosine + x_2;
+    const real height_plus_foot_x_times_sine = x->height + x->foot_x * sine;
+    const real y_2 = x->x_ * sine + x->y_ * cosine;
+    const real body_y = height_plus_foot_x_times_sine + y_2;
+    const real foot_vx_times_cosine = x->foot_vx * cosine;
+    const real vx = x->vx * cosine - x->vy * sine;
+    const real body_vx = foot_vx_times_cosine + vx;
+    const real foot_vx_times_sine = x->foot_vx * sine;
+    const real vy = x->vx * sine + x->vy * cosine;
+    const real body_vy = foot_vx_times_sine + vy;
     const real share = p->body_mass / (p->body_mass + p->foot_mass);
-    const real center_x = x_2 + share * x__times_cosine_minus_y__times_sine;
-    const real center_y = height_plus_y + share * x__times_sine_plus_y__times_cosine;
-    const real center_vx = vx + share * vx_times_cosine_minus_vy_times_sine;
-    const real center_vy = vy + share * vx_times_sine_plus_vy_times_cosine;
+    const real center_x = foot_x_times_cosine + share * x_2;
+    const real center_y = height_plus_foot_x_times_sine + share * y_2;
+    const real center_vx = foot_vx_times_cosine + share * vx;
+    const real center_vy = foot_vx_times_sine + share * vy;
     const real of_body = p->body_mass * (body_vx * body_vx + body_vy * body_vy);
-    const real kinetic_energy = 0.5 * (of_body + p->foot_mass * (vx * vx + vy * vy));
-    const real potential_energy = p->gravity * (p->body_mass * body_y + p->foot_mass * height_plus_y);
+    const real kinetic_energy = 0.5 * (of_body + p->foot_mass * (foot_vx_times_cosine * foot_vx_times_cosine
+        + foot_vx_times_sine * foot_vx_times_sine));
+    const real potential_energy = p->gravity * (p->body_mass * body_y
+        + p->foot_mass * height_plus_foot_x_times_sine);
     const real elastic_energy = 0.5 * (p->stiffness * (shorter * shorter));
     const real energy = kinetic_energy + potential_energy + elastic_energy;
     const real phase_of_hip = select(x->swing < 2.0, 3.0, 4.0);
@@ -5909,44 +6009,46 @@ static void vary_outputs_graze(const real *parameters, const real *states, const
     const real ratio = (spring_over_length * x->y_ + off) / x->x_;
     const real d_torque = -(((d_spring - spring_over_length * d_length) / length * x->y_
         + spring_over_length * dx->y_ + d_off - ratio * dx->x_) / x->x_ * square + ratio * d_square);
-    const real d_x = dx->foot_x * cosine - x->foot_x * sine_times_slope;
+    const real sum_2 = dx->foot_x * cosine - x->foot_x * sine_times_slope;
     const real d_sine = cosine * dx->slope;
-    const real sum_2 = dx->x_ * cosine - x->x_ * sine_times_slope - (dx->y_ * sine + x->y_ * d_sine);
-    const real d_body_x = d_x + sum_2;
-    const real d_y = dx->foot_x * sine + x->foot_x * d_sine;
-    const real height_plus_d_y = dx->height + d_y;
-    const real sum_3 = dx->x_ * sine + x->x_ * d_sine + (dx->y_ * cosine - x->y_ * sine_times_slope);
-    const real d_body_y = height_plus_d_y + sum_3;
-    const real d_vx = dx->foot_vx * cosine - x->foot_vx * sine_times_slope;
-    const real sum_4 = dx->vx * cosine - x->vx * sine_times_slope - (dx->vy * sine + x->vy * d_sine);
-    const real d_body_vx = d_vx + sum_4;
-    const real d_vy = dx->foot_vx * sine + x->foot_vx * d_sine;
-    const real sum_5 = dx->vx * sine + x->vx * d_sine + (dx->vy * cosine - x->vy * sine_times_slope);
-    const real d_body_vy = d_vy + sum_5;
+    const real d_x = dx->x_ * cosine - x->x_ * sine_times_slope - (dx->y_ * sine + x->y_ * d_sine);
+    const real d_body_x = sum_2 + d_x;
+    const real height_plus_sum = dx->height + (dx->foot_x * sine + x->foot_x * d_sine);
+    const real d_y = dx->x_ * sine + x->x_ * d_sine + (dx->y_ * cosine - x->y_ * sine_times_slope);
+    const real d_body_y = height_plus_sum + d_y;
+    const real sum_3 = dx->foot_vx * cosine - x->foot_vx * sine_times_slope;
+    const real d_vx = dx->vx * cosine - x->vx * sine_times_slope - (dx->vy * sine + x->vy * d_sine);
+    const real d_body_vx = sum_3 + d_vx;
+    const real sum_4 = dx->foot_vx * sine + x->foot_vx * d_sine;
+    const real d_vy = dx->vx * sine + x->vx * d_sine + (dx->vy * cosine - x->vy * sine_times_slope);
+    const real d_body_vy = sum_4 + d_vy;
     const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
     const real share = p->body_mass / body_mass_plus_foot_mass;
     const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
-    const real d_center_x = d_x + (d_share * (x->x_ * cosine - x->y_ * sine) + share * sum_2);
-    const real x__times_sine_plus_y__times_cosine = x->x_ * sine + x->y_ * cosine;
-    const real d_center_y = height_plus_d_y + (d_share * x__times_sine_plus_y__times_cosine + share * sum_3);
-    const real vx_times_cosine_minus_vy_times_sine = x->vx * cosine - x->vy * sine;
-    const real d_center_vx = d_vx + (d_share * vx_times_cosine_minus_vy_times_sine + share * sum_4);
-    const real vx_times_sine_plus_vy_times_cosine = x->vx * sine + x->vy * cosine;
-    const real d_center_vy = d_vy + (d_share * vx_times_sine_plus_vy_times_cosine + share * sum_5);
-    const real vx = x->foot_vx * cosine;
-    const real body_vx = vx + vx_times_cosine_minus_vy_times_sine;
-    const real vy = x->foot_vx * sine;
-    const real body_vy = vy + vx_times_sine_plus_vy_times_cosine;
+    const real x_2 = x->x_ * cosine - x->y_ * sine;
+    const real d_center_x = sum_2 + (d_share * x_2 + share * d_x);
+    const real y_2 = x->x_ * sine + x->y_ * cosine;
+    const real d_center_y = height_plus_sum + (d_share * y_2 + share * d_y);
+    const real vx = x->vx * cosine - x->vy * sine;
+    const real d_center_vx = sum_3 + (d_share * vx + share * d_vx);
+    const real vy = x->vx * sine + x->vy * cosine;
+    const real d_center_vy = sum_4 + (d_share * vy + share * d_vy);
+    const real foot_vx_times_cosine = x->foot_vx * cosine;
+    const real body_vx = foot_vx_times_cosine + vx;
+    const real foot_vx_times_sine = x->foot_vx * sine;
+    const real body_vy = foot_vx_times_sine + vy;
     const real d_of_body = dp->body_mass * (body_vx * body_vx + body_vy * body_vy)
         + p->body_mass * (2.0 * (body_vx * d_body_vx) + 2.0 * (body_vy * d_body_vy));
-    const real d_kinetic_energy = 0.5 * (d_of_body + (dp->foot_mass * (vx * vx + vy * vy)
-        + p->foot_mass * (2.0 * (vx * d_vx) + 2.0 * (vy * d_vy))));
-    const real y_2 = x->foot_x * sine;
-    const real height_plus_y = x->height + y_2;
-    const real body_y = height_plus_y + x__times_sine_plus_y__times_cosine;
-    const real d_potential_energy = dp->gravity * (p->body_mass * body_y + p->foot_mass * height_plus_y)
-        + p->gravity * (dp->body_mass * body_y + p->body_mass * d_body_y + (dp->foot_mass * height_plus_y
-        + p->foot_mass * height_plus_d_y));
+    const real d_kinetic_energy = 0.5 * (d_of_body
+        + (dp->foot_mass * (foot_vx_times_cosine * foot_vx_times_cosine
+        + foot_vx_times_sine * foot_vx_times_sine) + p->foot_mass * (2.0 * (foot_vx_times_cosine * sum_3)
+        + 2.0 * (foot_vx_times_sine * sum_4))));
+    const real height_plus_foot_x_times_sine = x->height + x->foot_x * sine;
+    const real body_y = height_plus_foot_x_times_sine + y_2;
+    const real d_potential_energy = dp->gravity * (p->body_mass * body_y
+        + p->foot_mass * height_plus_foot_x_times_sine) + p->gravity * (dp->body_mass * body_y
+        + p->body_mass * d_body_y + (dp->foot_mass * height_plus_foot_x_times_sine
+        + p->foot_mass * height_plus_sum));
     const real d_elastic_energy = 0.5 * (dp->stiffness * (shorter * shorter)
         + p->stiffness * (2.0 * (shorter * d_shorter)));
     const real d_energy = d_kinetic_energy + d_potential_energy + d_elastic_energy;
@@ -6311,19 +6413,20 @@ static void outputs_slip_falling(const real *parameters, const real *states, rea
     const real height_plus_foot_x_times_sine = x->height + x->foot_x * sine;
     const real x__times_sine_plus_y__times_cosine = x->x_ * sine + x->y_ * cosine;
     const real body_y = height_plus_foot_x_times_sine + x__times_sine_plus_y__times_cosine;
-    const real vx = x->foot_vx * cosine;
-    const real vx_times_cosine_minus_vy_times_sine = x->vx * cosine - x->vy * sine;
-    const real body_vx = vx + vx_times_cosine_minus_vy_times_sine;
-    const real vy = x->foot_vx * sine;
-    const real vx_times_sine_plus_vy_times_cosine = x->vx * sine + x->vy * cosine;
-    const real body_vy = vy + vx_times_sine_plus_vy_times_cosine;
+    const real foot_vx_times_cosine = x->foot_vx * cosine;
+    const real vx = x->vx * cosine - x->vy * sine;
+    const real body_vx = foot_vx_times_cosine + vx;
+    const real foot_vx_times_sine = x->foot_vx * sine;
+    const real vy = x->vx * sine + x->vy * cosine;
+    const real body_vy = foot_vx_times_sine + vy;
     const real share = p->body_mass / (p->body_mass + p->foot_mass);
     const real center_x = foot_x_times_cosine + share * x__times_cosine_minus_y__times_sine;
     const real center_y = height_plus_foot_x_times_sine + share * x__times_sine_plus_y__times_cosine;
-    const real center_vx = vx + share * vx_times_cosine_minus_vy_times_sine;
-    const real center_vy = vy + share * vx_times_sine_plus_vy_times_cosine;
+    const real center_vx = foot_vx_times_cosine + share * vx;
+    const real center_vy = foot_vx_times_sine + share * vy;
     const real of_body = p->body_mass * (body_vx * body_vx + body_vy * body_vy);
-    const real kinetic_energy = 0.5 * (of_body + p->foot_mass * (vx * vx + vy * vy));
+    const real kinetic_energy = 0.5 * (of_body + p->foot_mass * (foot_vx_times_cosine * foot_vx_times_cosine
+        + foot_vx_times_sine * foot_vx_times_sine));
     const real potential_energy = p->gravity * (p->body_mass * body_y
         + p->foot_mass * height_plus_foot_x_times_sine);
     const real elastic_energy = 0.5 * (p->stiffness * (shorter * shorter));
@@ -6425,30 +6528,32 @@ static void vary_outputs_slip_falling(const real *parameters, const real *states
     const real height_plus_sum = dx->height + (dx->foot_x * sine + x->foot_x * d_sine);
     const real sum_6 = dx->x_ * sine + x->x_ * d_sine + (dx->y_ * cosine - x->y_ * sine_times_slope);
     const real d_body_y = height_plus_sum + sum_6;
-    const real d_vx = dx->foot_vx * cosine - x->foot_vx * sine_times_slope;
-    const real sum_7 = dx->vx * cosine - x->vx * sine_times_slope - (dx->vy * sine + x->vy * d_sine);
-    const real d_body_vx = d_vx + sum_7;
-    const real d_vy = dx->foot_vx * sine + x->foot_vx * d_sine;
-    const real sum_8 = dx->vx * sine + x->vx * d_sine + (dx->vy * cosine - x->vy * sine_times_slope);
-    const real d_body_vy = d_vy + sum_8;
+    const real sum_7 = dx->foot_vx * cosine - x->foot_vx * sine_times_slope;
+    const real d_vx = dx->vx * cosine - x->vx * sine_times_slope - (dx->vy * sine + x->vy * d_sine);
+    const real d_body_vx = sum_7 + d_vx;
+    const real sum_8 = dx->foot_vx * sine + x->foot_vx * d_sine;
+    const real d_vy = dx->vx * sine + x->vx * d_sine + (dx->vy * cosine - x->vy * sine_times_slope);
+    const real d_body_vy = sum_8 + d_vy;
     const real body_mass_plus_foot_mass = p->body_mass + p->foot_mass;
     const real share = p->body_mass / body_mass_plus_foot_mass;
     const real d_share = (dp->body_mass - share * (dp->body_mass + dp->foot_mass)) / body_mass_plus_foot_mass;
     const real d_center_x = sum_4 + (d_share * (x->x_ * cosine - x->y_ * sine) + share * sum_5);
     const real x__times_sine_plus_y__times_cosine = x->x_ * sine + x->y_ * cosine;
     const real d_center_y = height_plus_sum + (d_share * x__times_sine_plus_y__times_cosine + share * sum_6);
-    const real vx_times_cosine_minus_vy_times_sine = x->vx * cosine - x->vy * sine;
-    const real d_center_vx = d_vx + (d_share * vx_times_cosine_minus_vy_times_sine + share * sum_7);
-    const real vx_times_sine_plus_vy_times_cosine = x->vx * sine + x->vy * cosine;
-    const real d_center_vy = d_vy + (d_share * vx_times_sine_plus_vy_times_cosine + share * sum_8);
-    const real vx = x->foot_vx * cosine;
-    const real body_vx = vx + vx_times_cosine_minus_vy_times_sine;
-    const real vy = x->foot_vx * sine;
-    const real body_vy = vy + vx_times_sine_plus_vy_times_cosine;
+    const real vx = x->vx * cosine - x->vy * sine;
+    const real d_center_vx = sum_7 + (d_share * vx + share * d_vx);
+    const real vy = x->vx * sine + x->vy * cosine;
+    const real d_center_vy = sum_8 + (d_share * vy + share * d_vy);
+    const real foot_vx_times_cosine = x->foot_vx * cosine;
+    const real body_vx = foot_vx_times_cosine + vx;
+    const real foot_vx_times_sine = x->foot_vx * sine;
+    const real body_vy = foot_vx_times_sine + vy;
     const real d_of_body = dp->body_mass * (body_vx * body_vx + body_vy * body_vy)
         + p->body_mass * (2.0 * (body_vx * d_body_vx) + 2.0 * (body_vy * d_body_vy));
-    const real d_kinetic_energy = 0.5 * (d_of_body + (dp->foot_mass * (vx * vx + vy * vy)
-        + p->foot_mass * (2.0 * (vx * d_vx) + 2.0 * (vy * d_vy))));
+    const real d_kinetic_energy = 0.5 * (d_of_body
+        + (dp->foot_mass * (foot_vx_times_cosine * foot_vx_times_cosine
+        + foot_vx_times_sine * foot_vx_times_sine) + p->foot_mass * (2.0 * (foot_vx_times_cosine * sum_7)
+        + 2.0 * (foot_vx_times_sine * sum_8))));
     const real height_plus_foot_x_times_sine = x->height + x->foot_x * sine;
     const real body_y = height_plus_foot_x_times_sine + x__times_sine_plus_y__times_cosine;
     const real d_potential_energy = dp->gravity * (p->body_mass * body_y
@@ -7301,9 +7406,11 @@ static void scales(const real *parameters, real *of_states, real *of_events) {
     of_states[98] = 1.0;
     of_states[99] = real_sqrt(p->body_mass / p->stiffness);
     of_states[100] = 1.0;
-    of_states[101] = product_2;
+    of_states[101] = real_sqrt(p->body_mass / p->stiffness);
     of_states[102] = 1.0;
-    of_states[103] = 1.0;
+    of_states[103] = product_2;
+    of_states[104] = 1.0;
+    of_states[105] = 1.0;
     of_events[EVENT_passes_end] = p->free_length;
     of_events[EVENT_passes_begin] = p->free_length;
     of_events[EVENT_next_segment_comes] = 1.0;
@@ -7449,7 +7556,7 @@ static const tdmf_guard_kind guards_flight_calm[] = {
         .next = {MODE_flight_calm}},
     {.event = EVENT_touchdown, .is_counted = true, .react = react_flight_calm_touchdown,
         .vary_react = vary_react_flight_calm_touchdown, .vary_guard = vary_guard_flight_calm_touchdown,
-        .next = {MODE_slip_constant, MODE_stick}},
+        .next = {MODE_graze, MODE_slip_constant, MODE_stick}},
     {.event = EVENT_clamp, .react = react_flight_calm_clamp, .vary_react = vary_react_flight_calm_clamp,
         .is_watched = watches_flight_calm_clamp, .vary_guard = vary_guard_flight_calm_clamp,
         .next = {MODE_flight_calm}},
@@ -7500,8 +7607,8 @@ static const tdmf_guard_kind guards_graze[] = {
         .vary_react = vary_react_graze_graze_to_contact, .vary_guard = vary_guard_graze_graze_to_contact,
         .next = {MODE_slip_constant, MODE_stick}},
     {.event = EVENT_graze_to_flight, .is_counted = true, .react = react_graze_graze_to_flight,
-        .vary_react = vary_react_graze_graze_to_flight, .vary_guard = vary_guard_graze_graze_to_flight,
-        .next = {MODE_flight_calm}},
+        .vary_react = vary_react_graze_graze_to_flight, .is_crossing = crosses_graze_graze_to_flight,
+        .vary_guard = vary_guard_graze_graze_to_flight, .next = {MODE_flight_calm}},
     {.event = -1},
 };
 static const tdmf_watch_kind watches_graze[] = {
@@ -7574,7 +7681,7 @@ static const tdmf_guard_kind guards_flight_pushed[] = {
         .vary_guard = vary_guard_flight_calm_apex, .next = {MODE_flight_pushed}},
     {.event = EVENT_touchdown, .is_counted = true, .react = react_flight_calm_touchdown,
         .vary_react = vary_react_flight_calm_touchdown, .vary_guard = vary_guard_flight_calm_touchdown,
-        .next = {MODE_slip_constant, MODE_stick}},
+        .next = {MODE_graze, MODE_slip_constant, MODE_stick}},
     {.event = EVENT_clamp, .react = react_flight_calm_clamp, .vary_react = vary_react_flight_calm_clamp,
         .is_watched = watches_flight_calm_clamp, .vary_guard = vary_guard_flight_calm_clamp,
         .next = {MODE_flight_pushed}},
@@ -7687,8 +7794,8 @@ static const char *const state_names[] = {"time", "events", "last_event", "great
     "y", "vx", "vy", "foot_x", "foot_vx", "winding", "thrusting", "leg_work", "positive_leg_work",
     "external_work", "damper_loss", "extension_rate", "external_fx_rate", "external_fy_rate", "friction",
     "way", "friction_loss", "impact_loss", "friction_rate", "external_torque", "liftoff_angle", "driving",
-    "swing", "placing", "touchdown_time", "was_placed", "placed_for", "rises_again", "work",
-    "external_torque_rate", "has_fallen"};
+    "swing", "placing", "touchdown_time", "has_hopped", "hop_time", "was_placed", "placed_for", "rises_again",
+    "work", "external_torque_rate", "has_fallen"};
 static const char *const parameter_names[] = {"ground_height", "ground_slope", "patch_begin", "patch_end",
     "patch_friction", "by_stride", "trips", "keeps_friction", "body_mass", "foot_mass", "stiffness",
     "damping", "free_length", "least_length", "gravity", "thrust", "notes_compression", "more_thrust",
@@ -7712,7 +7819,7 @@ static const double state_defaults[] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 
     0.9999993776846997, -0.5462532571145313, 1.062035591761993, -1.9951712441925837e-05,
     1.1268102275039307e-06, 4.039363331769765e-05, 0.0, 1.4, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0,
     0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.6, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0, 0.0,
-    0.0, 0.0, 0.0, 0.0};
+    0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
 static const double parameter_defaults[] = {0.0, 0.0, 0.0, 0.0, 0.1, 0.0, 0.0, 0.0, 1.0, 0.1, 1.0, 0.2, 1.0,
     0.05, 0.01, 0.0, 1.0, 0.0, 1.0, 0.0, 0.2, 0.1, 0.1, 0.6981317007977318, 1.2, 0.0, 0.0, 0.0, 0.0};
 static const double parameter_least[] = {-1000000000.0, -1.0, -1000000000.0, -1000000000.0, 0.0,
@@ -7738,7 +7845,7 @@ const tdmf_model_kind tdmf_runner_model = {
     .seeds = TDMF_FOR_SEEDS(tdmf_runner_seeds),
     .mode_count = 8,
     .mode_names = mode_names,
-    .state_count = 104,
+    .state_count = 106,
     .state_names = state_names,
     .parameter_count = 29,
     .parameter_names = parameter_names,

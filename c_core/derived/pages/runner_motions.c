@@ -1674,7 +1674,9 @@ static void guard_flight_calm_apex(const real *constants, const real *series, in
     }
 }
 
-/* touchdown: The foot reaches the ground. */
+/* touchdown: The foot reaches the ground. Where the lift of the flight law vanishes, shorter and shorter
+ * hops follow each other. After one of no time the foot grazes, until the flight law has ceased to lift it
+ * and lifts it again. */
 static void guard_flight_calm_touchdown(const real *constants, const real *series, int order, real *g) {
     const flight_calm_constants *c = (const void *)constants;
     const flight_calm_series *s = (const void *)series;
@@ -3568,7 +3570,9 @@ static void guard_flight_pushed_apex(const real *constants, const real *series, 
     }
 }
 
-/* touchdown: The foot reaches the ground. */
+/* touchdown: The foot reaches the ground. Where the lift of the flight law vanishes, shorter and shorter
+ * hops follow each other. After one of no time the foot grazes, until the flight law has ceased to lift it
+ * and lifts it again. */
 static void guard_flight_pushed_touchdown(const real *constants, const real *series, int order, real *g) {
     const flight_pushed_constants *c = (const void *)constants;
     const flight_pushed_series *s = (const void *)series;
@@ -3773,7 +3777,7 @@ static const tdmf_polynomial polynomials_slip_constant[] = {guard_slip_constant_
 static const tdmf_vary_polynomial vary_observed_slip_constant[] = {d_observed_slip_constant_power_of_hip,
     d_observed_slip_constant_vertical_force_on_foot, d_observed_slip_constant_force_on_foot,
     d_observed_slip_constant_slip_velocity, d_observed_slip_constant_square_of_torque};
-static const int moving_slip_constant[] = {72, 73, 74, 75, 76, 77, 80, 82, 83, 89, 101, 56, 57, 58, 87, 92,
+static const int moving_slip_constant[] = {72, 73, 74, 75, 76, 77, 80, 82, 83, 89, 103, 56, 57, 58, 87, 92,
     0}, degrees_slip_constant[] = {99, 99, 99, 99, 99, 99, 99, 99, 99, 99, 99, 1, 1, 1, 1, 1, 1, 99},
     judged_slip_constant[] = {2, 3, 5, 6, 7, 8, 9, 10, 17}, divided_slip_constant[] = {-1, -1, -1, -1, -1, -1,
     -1, -1, -1}, divisors_slip_constant[] = {21, 20}, integrals_slip_constant[] = {10, -1, -1, -1, -1},
@@ -3785,7 +3789,7 @@ static const tdmf_polynomial polynomials_stick[] = {guard_stick_ramp_ends, guard
 static const tdmf_vary_polynomial vary_observed_stick[] = {d_observed_stick_power_of_hip,
     d_observed_stick_vertical_force_on_foot, d_observed_stick_force_on_foot,
     d_observed_stick_square_of_torque};
-static const int moving_stick[] = {72, 73, 74, 75, 80, 82, 83, 101, 56, 57, 58, 87, 92, 0, 76},
+static const int moving_stick[] = {72, 73, 74, 75, 80, 82, 83, 103, 56, 57, 58, 87, 92, 0, 76},
     degrees_stick[] = {99, 99, 99, 99, 99, 99, 99, 99, 1, 1, 1, 1, 1, 1, 1, 99}, judged_stick[] = {2, 3, 4, 5,
     6, 7, 15}, divided_stick[] = {-1, -1, -1, -1, -1, -1, -1}, divisors_stick[] = {19, 18},
     integrals_stick[] = {7, -1, -1, -1}, factors_stick[] = {34, -1, -1, -1, -1, -1, -1, -1};
@@ -3797,7 +3801,7 @@ static const tdmf_polynomial polynomials_flight_calm[] = {guard_flight_calm_pass
     guard_flight_calm_square_of_torque};
 static const tdmf_vary_polynomial vary_observed_flight_calm[] = {d_observed_flight_calm_power_of_hip,
     d_observed_flight_calm_height_of_foot, d_observed_flight_calm_square_of_torque};
-static const int moving_flight_calm[] = {61, 62, 65, 68, 71, 80, 83, 101, 56, 57, 58, 87, 92, 0, 67, 70, 96},
+static const int moving_flight_calm[] = {61, 62, 65, 68, 71, 80, 83, 103, 56, 57, 58, 87, 92, 0, 67, 70, 96},
     degrees_flight_calm[] = {99, 99, 99, 2, 99, 99, 99, 99, 1, 1, 1, 1, 1, 1, 1, 1, 1},
     judged_flight_calm[] = {1, 2, 4, 5, 6, 7}, divided_flight_calm[] = {-1, -1, 0, -1, -1, -1},
     divisors_flight_calm[] = {17}, integrals_flight_calm[] = {7, -1, -1}, factors_flight_calm[] = {21, 18, -1,
@@ -3812,7 +3816,7 @@ static const tdmf_polynomial polynomials_graze[] = {guard_graze_passes_end, guar
     guard_graze_graze_to_flight, guard_graze_power_of_hip, guard_graze_square_of_torque};
 static const tdmf_vary_polynomial vary_observed_graze[] = {d_observed_graze_power_of_hip,
     d_observed_graze_square_of_torque};
-static const int moving_graze[] = {72, 73, 74, 75, 76, 77, 80, 82, 83, 101, 56, 57, 58, 87, 92, 0, 96},
+static const int moving_graze[] = {72, 73, 74, 75, 76, 77, 80, 82, 83, 103, 56, 57, 58, 87, 92, 0, 96},
     degrees_graze[] = {99, 3, 99, 2, 99, 99, 99, 99, 99, 99, 1, 1, 1, 1, 1, 1, 1, 99}, judged_graze[] = {2, 5,
     6, 7, 8, 9, 17}, divided_graze[] = {-1, -1, -1, -1, -1, -1, -1}, divisors_graze[] = {21, 0, 20},
     integrals_graze[] = {9, -1}, factors_graze[] = {32, 35, -1, -1};
@@ -3825,7 +3829,7 @@ static const tdmf_polynomial polynomials_slip_falling[] = {guard_slip_falling_ra
 static const tdmf_vary_polynomial vary_observed_slip_falling[] = {d_observed_slip_falling_power_of_hip,
     d_observed_slip_falling_vertical_force_on_foot, d_observed_slip_falling_force_on_foot,
     d_observed_slip_falling_slip_velocity, d_observed_slip_falling_square_of_torque};
-static const int moving_slip_falling[] = {72, 73, 74, 75, 76, 77, 80, 82, 83, 89, 101, 56, 57, 58, 87, 92, 0},
+static const int moving_slip_falling[] = {72, 73, 74, 75, 76, 77, 80, 82, 83, 89, 103, 56, 57, 58, 87, 92, 0},
     degrees_slip_falling[] = {99, 99, 99, 99, 99, 99, 99, 99, 99, 99, 99, 1, 1, 1, 1, 1, 1, 99},
     judged_slip_falling[] = {2, 3, 5, 6, 7, 8, 9, 10, 17}, divided_slip_falling[] = {-1, -1, -1, -1, -1, -1,
     -1, -1, -1}, divisors_slip_falling[] = {21, 20}, integrals_slip_falling[] = {10, -1, -1, -1, -1},
@@ -3838,7 +3842,7 @@ static const tdmf_polynomial polynomials_flight_pushed[] = {guard_flight_pushed_
     guard_flight_pushed_square_of_torque};
 static const tdmf_vary_polynomial vary_observed_flight_pushed[] = {d_observed_flight_pushed_power_of_hip,
     d_observed_flight_pushed_height_of_foot, d_observed_flight_pushed_square_of_torque};
-static const int moving_flight_pushed[] = {61, 62, 65, 67, 68, 69, 70, 71, 80, 82, 83, 101, 56, 57, 58, 87,
+static const int moving_flight_pushed[] = {61, 62, 65, 67, 68, 69, 70, 71, 80, 82, 83, 103, 56, 57, 58, 87,
     92, 0, 96}, degrees_flight_pushed[] = {99, 99, 99, 3, 3, 2, 2, 99, 99, 99, 99, 99, 1, 1, 1, 1, 1, 1, 1},
     judged_flight_pushed[] = {1, 2, 7, 8, 9, 10, 11}, divided_flight_pushed[] = {-1, -1, 0, -1, -1, -1, -1},
     divisors_flight_pushed[] = {19}, integrals_flight_pushed[] = {11, -1, -1}, factors_flight_pushed[] = {28,

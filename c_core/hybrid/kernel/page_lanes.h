@@ -135,7 +135,6 @@ static inline void load_run(page_lanes *b, int lane, run_state *state, const mod
         step->watched |= (uint64_t)(guard->flags & IS_WATCHED) << i;
         set_flags(&step->guards[i].flags, lane, guard->flags & ~RISES);
         set_lane(&step->guards[i].scale, lane, guard->scale);
-        set_lane(&step->guards[i].late_scale, lane, guard->late_scale);
     }
     for (int i = 0; i < constant_count; ++i) {
         set_lane(&step->c[i], lane, at->c[i]);
@@ -217,7 +216,6 @@ static inline void unload_mode(const page_lanes *b, int lane, mode_start *at) {
     at->begins = has_lane(&step->begins, lane);
     for (int i = 0; i < step->guard_count; ++i) {
         at->guards[i].scale = lane_of(&step->guards[i].scale, lane);
-        at->guards[i].late_scale = lane_of(&step->guards[i].late_scale, lane);
     }
     for (int i = 0; i < constant_count; ++i) {
         at->c[i] = lane_of(&step->c[i], lane);

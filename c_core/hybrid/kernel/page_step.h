@@ -32,7 +32,7 @@ enum { LANES = 1 };
 /* A guard of the mode, with its flags. */
 typedef struct {
     integer flags;
-    real scale, late_scale;
+    real scale;
 } guard_watch;
 
 /* Pieces of a step, as shares of it, in which a polynomial is positive. */
@@ -417,36 +417,45 @@ static inline mask reaches(const page_step *step, const real *g, real floor, rea
 }
 
 /* Decides the lanes in which a guard does not begin the step above zero, and returns those in which its event
- * is due at once. In the lanes that remain in `searched`, the guard is above zero from now on.
+ * is due at once. In the lanes that remain in `searched`, the polynomial is above zero from now on.
  *
  *  - Zero: the first derivative that is not zero decides. A guard that falls is due, unless it rises again
- *    before it is clearly below zero: an event before it may have been located as roughly as that.
+ *    before it is clearly below zero: an event before it may have been located as roughly as that. If its
+ *    event was just taken, a first derivative may be the rounding error of an event that this one undoes.
  *  - Hardly below zero where a mode begins, as rounding leaves a guard that is zero there: due if it falls.
  *    If its event was just taken, it has to fall clearly.
  *  - Below zero: due, unless it has to cross zero.
+ *  - In a long chain, which rounding errors make: an event that was taken in it is not due again before its
+ *    guard is clearly below zero, or while its guard rises.
  *
- * A guard that is below zero and not due is watched from where it rises above zero. */
+ * A guard that is below zero and not due is watched from where it rises above zero, and one that is near zero
+ * and not due for coming clearly below it. */
 static inline mask begin_below(page_step *step, int guard, real *g, real *floor, mask *searched, mask lanes) {
     guard_watch *watch = &step->guards[guard];
     const double late =
         late_margin + (rough_share * step->tolerance < roughest ? rough_share * step->tolerance : roughest);
-    const real value = g[0], band = -2.0 * *floor, late_band = late * watch->late_scale;
+    const real value = g[0], band = -2.0 * *floor, late_band = late * watch->scale;
     const mask is_zero = lanes & (value >= -band), was_taken = has_flag(watch, WAS_TAKEN) & step->begins;
     const mask is_near =
         lanes & mask_not(is_zero) & (step->begins | has_flag(watch, IS_LATE)) & (value > -late_band);
     real divided[TERMS];
     memcpy(divided, g, sizeof divided);
-    const mask undecided = is_zero | is_near;
+    const mask in_chain = was_taken & has_flag(watch, IN_CHAIN);
+    const mask is_far = lanes & in_chain & mask_not(is_zero | is_near);
+    const mask undecided = is_zero | is_near | is_far;
     const real down = -select(was_taken, late_band, band);
     const real below_zero = *floor;
     const mask level = divide_by_time(step, divided, band, down, floor, watch->scale, undecided);
     mask falls = undecided & mask_not(level) & (divided[0] < 0.0);
     const mask must_cross = has_flag(watch, IS_CROSSING), was_above = has_flag(watch, WAS_ABOVE);
     const mask may_turn = falls & is_zero & mask_not(must_cross);
-    const mask turns = may_turn & mask_not(reaches(step, g, below_zero, watch->scale, may_turn));
-    falls &= mask_not(turns);
-    const mask is_late =
-        is_near & mask_not(falls) & mask_not(level & mask_not(was_taken | has_flag(watch, IS_LATE)));
+    const real clearly_below = select(was_taken, -late_band, below_zero);
+    const mask turns = may_turn & mask_not(reaches(step, g, clearly_below, watch->scale, may_turn));
+    const mask waits = (falls & in_chain & mask_not(turns | is_far)) | (is_zero & level);
+    falls &= mask_not(turns | waits);
+    const mask may_be_late = was_taken | has_flag(watch, IS_LATE);
+    const mask is_late = (is_near & mask_not(falls) & mask_not(level & mask_not(may_be_late))) |
+                         (is_far & mask_not(falls | level));
     const mask crosses = is_zero & falls & was_above & mask_not(was_taken);
     const mask is_below = lanes & mask_not(is_zero | is_late), may_be_due = is_below | falls;
     const mask below = is_late | (must_cross & may_be_due & mask_not(crosses));
@@ -460,15 +469,17 @@ static inline mask begin_below(page_step *step, int guard, real *g, real *floor,
     const real height = select(mask_not(is_zero) & (value >= -late_band), late_band, band);
     end_where_it_rises(step, g, height, below);
     raise_flag(watch, IS_LATE, is_late);
-    const mask rises = is_zero & mask_not(level | falls | turns);
+    const mask rises = is_zero & mask_not(waits | falls | turns);
     lower_flag(watch, WAS_ABOVE, below);
     raise_flag(watch, RISES, rises);
     step->rises |= any(rises);
-    *searched = (*searched & mask_not(lanes)) | rises;
+    const mask stays = ((is_late & mask_not(is_far)) | waits) & mask_not(must_cross);
+    *searched = (*searched & mask_not(lanes)) | rises | stays;
     *floor = select(rises, *floor, -0.5 * band);
-    for (int k = 0; k < step->order; ++k) {
+    for (int k = 0; k < step->order && any(rises); ++k) {
         g[k] = select(rises, divided[k], g[k]);
     }
+    g[0] = select(stays, value + 2.0 * late_band, g[0]);
     return due;
 }
 

@@ -41,17 +41,33 @@ static bool has_event(uint64_t events, int event) {
     return (events >> event & 1) != 0;
 }
 
-/* Guards of large numbers that are zero are rounded to more than their margins, and events may be due in
- * turns. Links of a longer chain double the band in which such an event may be late, until the chain ends. */
+/* A longer chain of several events may be one of rounding errors, because a guard is a difference of large
+ * numbers. The guards of its events are then measured by these numbers. */
 static const int common_chain_limit = 16;
+
+/* The sum of the terms of a guard: of each state and parameter times the guard's derivative by it. */
+static double size_of_terms(const tdmf_guard_kind *kind, const tdmf_model_kind *model, const tdmf_page_run *r,
+                            const mode_start *at) {
+    double *dx = at->room, *dp = at->none, size = 0.0;
+    memset(dx, 0, (size_t)model->state_count * sizeof *dx);
+    for (int i = 0; i < model->state_count; ++i) {
+        dx[i] = r->x[i];
+        size += fabs(kind->vary_guard(r->p, r->x, dp, dx));
+        dx[i] = 0.0;
+    }
+    for (int i = 0; i < model->parameter_count; ++i) {
+        dp[i] = r->p[i];
+        size += fabs(kind->vary_guard(r->p, r->x, dp, dx));
+        dp[i] = 0.0;
+    }
+    return isfinite(size) ? size : 0.0;
+}
 
 void tdmf_begin_mode(const run_state *state, mode_start *at) {
     const tdmf_page_run *r = state->r;
     const tdmf_model_kind *model = state->model;
     const tdmf_mode_kind *mode = &model->modes[r->mode];
     const bool in_turns = (r->taken & (r->taken - 1)) != 0;
-    const int longer = in_turns && r->chain > common_chain_limit ? r->chain - common_chain_limit : 0;
-    const double wider = longer > 0 ? ldexp(1.0, longer) : 1.0;
     at->begins = true;
     mode->open(r->p, r->x, at->c);
     for (int i = 0; i < mode->guard_count; ++i) {
@@ -62,7 +78,10 @@ void tdmf_begin_mode(const run_state *state, mode_start *at) {
             IS_CROSSING * tdmf_has_to_cross(kind, r->p, r->x) | WAS_TAKEN * has_event(r->taken, kind->event) |
             WAS_ABOVE * has_event(r->above, kind->event) | IS_LATE * has_event(r->late, kind->event);
         guard->scale = state->event_scales[kind->event];
-        guard->late_scale = wider * guard->scale;
+        if (in_turns && r->chain > common_chain_limit && has_event(r->taken, kind->event)) {
+            guard->flags |= IN_CHAIN;
+            guard->scale = fmax(guard->scale, size_of_terms(kind, model, r, at));
+        }
     }
     for (int seed = 0; seed < r->seed_count; ++seed) {
         mode->vary_open(r->p, r->x, r->dp + seed * model->parameter_count, r->dx + seed * model->state_count,

@@ -22,12 +22,13 @@ enum {
     WAS_ABOVE = 8,   /* above zero since the mode began */
     IS_LATE = 16,    /* below zero since its event was taken */
     IS_NEAR = 32,    /* the last step ended at its root, and its event was not taken */
-    RISES = 64       /* it rises from zero as soon as time passes */
+    RISES = 64,      /* it rises from zero as soon as time passes */
+    IN_CHAIN = 128   /* its event was taken in a long chain of events */
 };
 
 typedef struct {
     int flags;
-    double scale, late_scale; /* late_scale: of the band in which an event that was just taken may be late */
+    double scale;
 } guard_start;
 
 /* A mode at its beginning, or under way, and working memory for events. */

@@ -163,27 +163,29 @@ enum {
     TDMF_LEG_WINDING,     /* Leg angle less its principal value: a multiple of 2 pi, rad */
     TDMF_LEG_THRUSTING,   /* 1 from greatest compression to lift-off, else 0 */
     TDMF_LEG_WORK,        /* Work of thrust and leg extension since the start, J */
-    TDMF_LEG_POSITIVE_LEG_WORK,    /* Positive works of jumps of the rest length since the start, J */
-    TDMF_ENERGY_EXTERNAL_WORK,     /* Work of external forces on the body since the start, J */
-    TDMF_ENERGY_DAMPER_LOSS,       /* Energy lost in the damper since the start, J */
-    TDMF_LEG_EXTENSION_RATE,       /* Rate at which `extension` is ramped, m/s */
-    TDMF_LEG_EXTERNAL_FX_RATE,     /* Rate at which `external_fx` is ramped, N/s */
-    TDMF_LEG_EXTERNAL_FY_RATE,     /* Rate at which `external_fy` is ramped, N/s */
-    TDMF_GROUND_FRICTION,          /* Friction coefficient between foot and ground, mu */
-    TDMF_GROUND_WAY,               /* Direction of slip, 1 or -1 */
-    TDMF_ENERGY_FRICTION_LOSS,     /* Energy lost to sliding friction since the start, J */
-    TDMF_ENERGY_IMPACT_LOSS,       /* Energy lost in impacts since the start, J */
-    TDMF_GROUND_FRICTION_RATE,     /* Rate at which `friction` is ramped, 1/s */
-    TDMF_HIP_EXTERNAL_TORQUE,      /* Torque added to the hip law, N.m */
-    TDMF_HIP_LIFTOFF_ANGLE,        /* Leg angle when the foot last left the ground, theta_LO, rad */
-    TDMF_HIP_DRIVING,              /* 1 from touchdown to mid-stance, else 0 */
-    TDMF_HIP_SWING,                /* Law of the hip in flight: 0 rest, 1 retract, 2 place */
-    TDMF_HIP_PLACE_TIME,           /* Time since the phase place began; 0 in other phases, s */
-    TDMF_HIP_TOUCHDOWN_TIME,       /* Time of the last impact, s */
-    TDMF_HIP_WAS_PLACED,           /* 1 if the leg was being placed at the last impact, else 0 */
-    TDMF_HIP_PLACED_FOR,           /* Time in place at the last impact, s */
-    TDMF_HIP_RISES_AGAIN,          /* 1 if an impact with immediate lift-off interrupted place, else 0 */
-    TDMF_HIP_WORK,                 /* Work of the total hip torque since the start, W, J */
+    TDMF_LEG_POSITIVE_LEG_WORK, /* Positive works of jumps of the rest length since the start, J */
+    TDMF_ENERGY_EXTERNAL_WORK,  /* Work of external forces on the body since the start, J */
+    TDMF_ENERGY_DAMPER_LOSS,    /* Energy lost in the damper since the start, J */
+    TDMF_LEG_EXTENSION_RATE,    /* Rate at which `extension` is ramped, m/s */
+    TDMF_LEG_EXTERNAL_FX_RATE,  /* Rate at which `external_fx` is ramped, N/s */
+    TDMF_LEG_EXTERNAL_FY_RATE,  /* Rate at which `external_fy` is ramped, N/s */
+    TDMF_GROUND_FRICTION,       /* Friction coefficient between foot and ground, mu */
+    TDMF_GROUND_WAY,            /* Direction of slip, 1 or -1 */
+    TDMF_ENERGY_FRICTION_LOSS,  /* Energy lost to sliding friction since the start, J */
+    TDMF_ENERGY_IMPACT_LOSS,    /* Energy lost in impacts since the start, J */
+    TDMF_GROUND_FRICTION_RATE,  /* Rate at which `friction` is ramped, 1/s */
+    TDMF_HIP_EXTERNAL_TORQUE,   /* Torque added to the hip law, N.m */
+    TDMF_HIP_LIFTOFF_ANGLE,     /* Leg angle when the foot last left the ground, theta_LO, rad */
+    TDMF_HIP_DRIVING,           /* 1 from touchdown to mid-stance, else 0 */
+    TDMF_HIP_SWING,             /* Law of the hip in flight: 0 rest, 1 retract, 2 place */
+    TDMF_HIP_PLACE_TIME,        /* Time since the phase place began; 0 in other phases, s */
+    TDMF_HIP_TOUCHDOWN_TIME,    /* Time of the last impact, s */
+    TDMF_HIP_HAS_HOPPED,        /* 1 once the flight law has hardly lifted the foot at a lift-off, else 0 */
+    TDMF_HIP_HOP_TIME,    /* Time of the last lift-off at which the flight law hardly lifted the foot, s */
+    TDMF_HIP_WAS_PLACED,  /* 1 if the leg was being placed at the last impact, else 0 */
+    TDMF_HIP_PLACED_FOR,  /* Time in place at the last impact, s */
+    TDMF_HIP_RISES_AGAIN, /* 1 if an impact with immediate lift-off interrupted place, else 0 */
+    TDMF_HIP_WORK,        /* Work of the total hip torque since the start, W, J */
     TDMF_HIP_EXTERNAL_TORQUE_RATE, /* Rate at which `external_torque` is ramped, N.m/s */
     TDMF_STATUS_FALLEN,            /* True after a fall, which freezes the motion */
     TDMF_STATE_COUNT
