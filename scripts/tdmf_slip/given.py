@@ -111,6 +111,7 @@ def rows_of(given: object, what: str) -> object:
 def numbers_by(what: str, given: object, names: Sequence[str]) -> NDArray[np.float64]:
     """Numbers in the order of the names if they are labelled by them, else in their own order."""
     if type(given) is np.ndarray and given.dtype == float:
+        check_size(what, given.size, "numbers")
         return given.copy()  # the usual case, at once
     allowed = f"numbers for {', '.join(names)}"
     frame: Any = given

@@ -31,7 +31,6 @@ from tdmf_slip.analysis.basin import range_around
 from tdmf_slip.analysis.search import periodic_gait
 from tdmf_slip.analysis.stability import stability
 from tdmf_slip.cli import options
-from tdmf_slip.feedback import judgement
 from tdmf_slip.fmu import inputs
 from tdmf_slip.fmu.simulation import run_unit
 from tdmf_slip.paper import settling
@@ -114,11 +113,6 @@ REFUSED = [
     (lambda r, g: lqr(g, [ANGLE], [[1.0], [2.0, 3.0]]), "."),
     (lambda r, g: lqr(g, [ANGLE], np.eye(7)), "."),
     (lambda r, g: place_poles(g, [ANGLE], np.eye(3)), "."),
-    (lambda r, g: judgement.judge(r), "."),
-    (lambda r, g: judgement.judge(g, roughness=[-1.0]), "."),
-    (lambda r, g: judgement.judge(g, roughness=0.3), "numbers in a list"),
-    (lambda r, g: judgement.judge(g, lambda apices: {}), "a function of apices and the number of the stride"),
-    (lambda r, g: judgement.judge_all(g), "."),
     (lambda r, g: stride_map({}, MANY), "runners: 1,000,000,000 runners; allowed: up to 10,000,000"),
     (lambda r, g: Batch(g.runner, g.apex).run(1, MANY), "until: 6,000,000,000 .*up to"),
     (lambda r, g: sweep({}, {FRICTION: HALF}), "vary ground.friction: 1,000,000,000 values; allowed: up to"),

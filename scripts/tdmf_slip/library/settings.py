@@ -101,7 +101,7 @@ def check_settings(
         setting_number(name, what, runner.model)
         check_acts(name, runner, (*names, *set_too), what)
         if name in inputs:
-            raise InputError(f"{what}: {name} is among the inputs, too; allowed: in one of them")
+            raise InputError(f"{what}: {name} is in the inputs, too; allowed: in one of them")
         if name == "ground.height" and ground.roughness:
             raise InputError(f"{what}: {name} on rough ground, whose steps set it; allowed: on level ground")
         if name == "ground.friction" and ground.friction_spread:
