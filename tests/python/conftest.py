@@ -7,6 +7,7 @@ import functools
 import importlib
 import importlib.resources
 import json
+import math
 import os
 import pathlib
 import shutil
@@ -207,6 +208,15 @@ def runner_of_gait(gait):
 def unit_reference():
     """The gait of the unit's own start values."""
     return next(gait for gait in reference_gaits(False) if gait["friction"] == 0.6)
+
+
+def in_units(mass, stiffness, length, **values):
+    """The default runner, with other values, in units of a mass, kg, a stiffness, N/m, and a length, m."""
+    usual, time, energy = tdmf_slip.Runner(values), math.sqrt(mass / stiffness), stiffness * length**2
+    scales = {"body.mass": mass, "foot.mass": mass, "leg.stiffness": stiffness, "leg.damping": mass / time}
+    scales |= {"gravity": stiffness * length / mass, "leg.free_length": length, "leg.min_length": length}
+    scales |= {"hip.stance_torque": energy, "hip.kp": energy, "hip.kd": energy * time}
+    return usual.replace({name: usual[name] * scale for name, scale in scales.items()})
 
 
 class Command:

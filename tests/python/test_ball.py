@@ -5,7 +5,7 @@ import dataclasses
 import numpy as np
 import pytest
 import tdmf_slip
-from conftest import RELEASE, release
+from conftest import RELEASE, in_units, release
 from tdmf_slip import Batch, InputError, Runner, basin, find_gait
 from tdmf_slip.analysis import ball as balls
 from tdmf_slip.analysis.attraction import attraction_volume
@@ -56,6 +56,13 @@ def test_points_of_a_tested_ball_settle_because_the_norm_falls(gait, ball):
     corners = np.array(np.meshgrid(*[(-1.0, 1.0)] * 6)).reshape(6, -1).T * ball.radius * gait.runner.scales
     assert np.linalg.norm(corners @ ball.matrix.T, axis=1).max() == pytest.approx(1.0, rel=1e-12)
     assert ball.radius > 0.05  # five times where a start counts as settled without it
+
+
+def test_a_ball_of_a_scaled_runner_is_scaled(gait, ball):
+    runner = in_units(80.0, 20_000.0, 0.9, **{"ground.friction": gait.friction})
+    other = balls.tested_ball(find_gait(runner, guess=gait.apex * runner.scales))
+    assert other.matrix * runner.scales == pytest.approx(ball.matrix, rel=1e-5, abs=1e-6)
+    assert other.radius == pytest.approx(ball.radius, rel=1e-5)
 
 
 def test_a_larger_ball_of_the_norm_is_none(gait, ball):

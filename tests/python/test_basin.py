@@ -92,21 +92,6 @@ def test_basin_command(command):
     assert command("basin", "--n", 0)[0] == 2
 
 
-@pytest.mark.parametrize(
-    "spoil",
-    [
-        lambda data: data.drop_vars("fate"),
-        lambda data: data.assign_attrs(gait_leg_length=[1.0, 2.0]),
-        lambda data: data.transpose(),
-    ],
-)
-def test_a_spoiled_map_is_not_gone_on_with(runner, slice_, tmp_path, spoil):
-    path = tmp_path / "map.nc"
-    spoil(slice_).to_netcdf(path)
-    with pytest.raises(InputError, match=r"map\.nc: not this map of fates"):
-        basin.basin(runner, AXES, N, path=path)
-
-
 def drawn(data):
     """The figure of a map as pixels, with its axes."""
     figure = basin_map.figure_of(data)

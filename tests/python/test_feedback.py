@@ -6,7 +6,7 @@ import pathlib
 import numpy as np
 import pytest
 import tdmf_slip
-from conftest import RELEASE
+from conftest import RELEASE, in_units
 from tdmf_slip import (
     InputError,
     RunError,
@@ -103,10 +103,7 @@ def test_gains_of_a_scaled_runner_are_scaled():
     """A scaled runner (m = 80, k = 20000, l0 = 0.9) has the same closed loop, and gains in its units."""
     m, k, l0 = 80.0, 20_000.0, 0.9
     energy, time = k * l0**2, (m / k) ** 0.5
-    usual, scales = Runner(), {"body.mass": m, "foot.mass": m, "leg.stiffness": k, "gravity": k * l0 / m}
-    scales |= {"leg.damping": m / time, "leg.free_length": l0, "leg.min_length": l0, TORQUE: energy}
-    scales |= {"hip.kp": energy, "hip.kd": energy * time}
-    gait, runner = find_gait(), Runner({name: usual[name] * scale for name, scale in scales.items()})
+    gait, usual, runner = find_gait(), Runner(), in_units(m, k, l0)
     other = find_gait(runner, guess=gait.apex * runner.scales)
     of_settings = {ANGLE: 1.0, TORQUE: energy, "hip.kp": energy, "hip.kd": energy * time}
     of_settings |= {"leg.extension": l0, "body.external_fx": k * l0, "hip.retraction_rate": 1.0 / time}

@@ -145,7 +145,7 @@ def test_numbers_of_attributes_may_be_off_by_rounding(tmp_path):
     made = Resumed(path, blank(height=1.0), "map")
     made.write({"x": [0, 2]}, {"a": [1.0, 2.0]})
     assert Resumed(path, blank(height=1.0 + 1e-12), "map").done == [{"x": [0, 2]}]
-    for height in (1.0 + 1e-8, "1.0"):
+    for height in (1.0 + 1e-8, "1.0", [1.0, 1.0]):
         with pytest.raises(InputError, match="another height"):
             Resumed(path, blank(height=height), "map")
     resumed = Resumed(path, blank(height=1.0), "map")

@@ -5,7 +5,7 @@ import random
 
 import numpy as np
 import pytest
-from conftest import RELEASE, reference_gaits, runner_of_gait, some_of
+from conftest import RELEASE, in_units, reference_gaits, runner_of_gait, some_of
 from tdmf_slip import InputError, Profile, RunError, Runner, find_gait
 from tdmf_slip.fmu import instance
 from tdmf_slip.fmu.inputs import read_tables
@@ -116,6 +116,15 @@ def test_ice_under_a_sticking_foot_makes_it_slip_at_once():
     assert set(table["contact.mode_index"][table["time"] > 12.1 + 1e-9]) == {4}  # slips backward
 
 
+def test_regular_rows_alone_are_those_after_events_and_the_end():
+    """Friction jumps at a regular row, and the run ends between two."""
+    ice = {"ground.friction": ([0.0, 1.5, 1.5], [10.0, 10.0, 0.05])}
+    how = {"stop_time": 2.25, "output_interval": 0.5, "record_events": False}
+    table = run_unit(inputs=ice, variables=["ground.friction"], **how).table
+    assert table["time"] == pytest.approx([0.0, 0.5, 1.0, 1.5, 2.0, 2.25])
+    assert table["ground.friction"].tolist() == [10.0] * 3 + [0.05] * 3
+
+
 # ---- thrust as the only drive ----------------------------------------------------------------------------
 
 
@@ -146,15 +155,8 @@ def test_any_units_of_mass_stiffness_and_length_give_the_same_motion(seed):
     gait = draw.choice(reference_gaits())
     m, k, l0 = (10 ** draw.uniform(-3, 4) for _ in range(3))
     time, energy = math.sqrt(m / k), k * l0**2
-    runner = Runner(
-        runner_of_gait(gait)
-        | {"body.mass": m, "foot.mass": 0.1 * m, "gravity": 0.01 * k * l0 / m}
-        | {"leg.stiffness": k, "leg.damping": 0.2 * m / time}
-        | {"leg.free_length": l0, "leg.min_length": 0.05 * l0}
-        | {"hip.stance_torque": 0.2 * energy, "hip.kp": 0.1 * energy, "hip.kd": 0.1 * energy * time}
-    )
-    units = np.array([l0, l0 / time, l0, 1, l0 / time, 1 / time])
-    stride = run_unit(runner.start_values(units * gait["apex"]), strides=3).stride
+    runner = in_units(m, k, l0, **runner_of_gait(gait))
+    stride = run_unit(runner.start_values(runner.scales * gait["apex"]), strides=3).stride
     assert stride["word"] == gait["word"]
     found = [stride[name] for name in ("period", "length", "work", "cost_of_transport")]
     wanted = [gait["period"] * time, gait["length"] * l0, gait["work"] * energy, gait["cost_of_transport"]]

@@ -9,6 +9,7 @@ from tdmf_slip import AffineLaw, InputError, RunError, Runner, find_gait, stride
 from tdmf_slip.analysis import stride_map as module
 from tdmf_slip.blocks import InTurn
 from tdmf_slip.library.batch_tables import STRIDE_FATES
+from tdmf_slip.library.binding import c
 from tdmf_slip.library.engine import instruction_sets
 from tdmf_slip.library.gait import LEDGER
 from tdmf_slip.library.quantities import STRIDE_QUANTITIES
@@ -237,64 +238,24 @@ def test_a_run_depends_on_its_number_and_not_on_who_works(gait, starts, monkeypa
 # ---- noise ------------------------------------------------------------------------------------------------
 
 
-class Philox:
-    """Philox4x32-10, two words to a number, by itself: of Salmon et al. (2011)."""
-
-    def __init__(self, counter, key):
-        self.counter, self.key, self.words = list(counter), key, []
-
-    def draw(self):
-        if not self.words:
-            (x0, x1, x2, x3), (k0, k1) = self.counter, self.key
-            for _ in range(10):
-                p0, p1 = 0xD2511F53 * x0, 0xCD9E8D57 * x2
-                x0, x1, x2, x3 = (p1 >> 32) ^ x1 ^ k0, p1 % 2**32, (p0 >> 32) ^ x3 ^ k1, p0 % 2**32
-                k0, k1 = (k0 + 0x9E3779B9) % 2**32, (k1 + 0xBB67AE85) % 2**32
-            self.words = [x0 << 32 | x1, x2 << 32 | x3]
-            self.counter[0] += 1
-        return self.words.pop()
+def test_ground_friction_sensors_strides_runners_and_seeds_have_deviates_of_their_own():
+    """A seed and a number of a runner also count beyond 32 bits."""
+    seed, runner = 2**40 + 5, 2**33
+    drawn = [of(seed, runner, 1) for of in (c.tdmf_ground_step, c.tdmf_friction_deviate)]
+    drawn += [c.tdmf_sensor_noise(seed, runner, 1, coordinate) for coordinate in range(8)]
+    others = (seed, runner, 2), (seed, runner + 1, 1), (seed, 0, 1), (5, runner, 1)
+    drawn += [c.tdmf_sensor_noise(*other, 0) for other in others]
+    assert len(set(drawn)) == 14
 
 
-def decides(source, threshold, passes=lambda: True):
-    """True if a falling run, from a threshold on, has an even length."""
-    even = True
-    while True:
-        following = source.draw()
-        if following >= threshold or not passes():
-            return even
-        threshold, even = following, not even
-
-
-def normal(source):
-    """Karney's algorithm N (2016)."""
-    while True:
-        k = 0
-        while decides(source, 2**63):
-            k += 1
-        if not all(decides(source, 2**63) for _ in range(k * (k - 1))):
-            continue
-        x = source.draw()
-
-        def passes(k=k, x=x):
-            choice = ((source.draw() >> 32) * (2 * k + 2)) >> 32
-            return choice < 2 * k or (choice == 2 * k and source.draw() < x)
-
-        if all(decides(source, x, passes) for _ in range(k + 1)):
-            size = k + (x >> 11) / 2**53
-            return -size if source.draw() >> 63 else size
-
-
-def test_noise_is_that_of_the_published_generators(gait, starts):
+def test_noise_is_that_of_each_sensor_runner_and_stride(gait, starts):
+    """The C tests compare its generator with published numbers and with the normal distribution."""
     deviations, seed = np.array([0.01, 0.02, 0.0, 0.03, 0.0, 0.01]), 2**40 + 5
     first = 2**33
 
     def noise(stride):
         return [
-            [
-                deviation
-                * normal(Philox([(j + 1) << 28, stride, n % 2**32, n >> 32], (seed % 2**32, seed >> 32)))
-                for j, deviation in enumerate(deviations)
-            ]
+            [deviation * c.tdmf_sensor_noise(seed, n, stride, j) for j, deviation in enumerate(deviations)]
             for n in range(first, first + RUNNERS)
         ]
 

@@ -2,7 +2,6 @@
 
 import json
 import math
-from concurrent.futures import ThreadPoolExecutor
 from itertools import product
 
 import numpy as np
@@ -280,24 +279,11 @@ def test_strides_are_kept_once(monkeypatch):
         assert np.shares_memory(image, made[name].values)
 
 
-def test_a_file_is_gone_on_with(found, tmp_path, monkeypatch):
-    path, make, made = tmp_path / "viable.nc", viability_sets.strides_of, []
-    monkeypatch.setattr(viability_sets, "STRIDES_IN_A_BLOCK", 3000)
-
-    def counts(runner, cells, point, rows):
-        if len(made) == 2 and not resuming:
-            raise KeyboardInterrupt
-        made.append(tuple(rows))
-        return make(runner, cells, point, rows)
-
-    monkeypatch.setattr(viability_sets, "strides_of", counts)
-    one_by_one, resuming = ThreadPoolExecutor(1), False  # a block under way at the interrupt is not on file
-    with one_by_one, pytest.raises(KeyboardInterrupt):
-        tdmf_slip.viability(STICKING, axes=AXES, vary=VARY, n=24, path=path, executor=one_by_one)
-    resuming = True
+def test_a_file_that_is_whole_is_read_again(found, tmp_path):
+    path = tmp_path / "viable.nc"
     for _ in range(2):
         assert_same(tdmf_slip.viability(STICKING, axes=AXES, vary=VARY, n=24, path=path), found)
-    assert len(made) > 2 and sorted(sum(made, ())) == list(range(25))
+        assert [file.name for file in tmp_path.iterdir()] == ["viable.nc"]
     with pytest.raises(InputError, match=r"not this viable set: another ground\.friction"):
         tdmf_slip.viability({"ground.friction": 9.0}, axes=AXES, vary=VARY, n=24, path=path)
 
