@@ -294,15 +294,11 @@ def _dataset(
     runner: Runner, names: tuple[str, str], spans: NDArray[np.float64], curves: Sequence[Curve]
 ) -> xarray.Dataset:
     points = np.concatenate([np.empty((0, 2)), *(curve.points for curve in curves)])
-    texts = {
-        "kind": [curve.kind for curve in curves],
-        "began": [curve.began for curve in curves],
-        "ended": [curve.ended for curve in curves],
-        "before": [curve.words[0] for curve in curves],
-        "after": [curve.words[1] for curve in curves],
-    }
+    texts = [(curve.kind, curve.began, curve.ended, *curve.words) for curve in curves]
+    columns = np.array(texts, dtype=object).reshape(-1, 5).T
     variables: dict[str, Any] = {
-        name: ("curve", np.array(text, dtype=object)) for name, text in texts.items()
+        name: ("curve", column)
+        for name, column in zip(("kind", "began", "ended", "before", "after"), columns, strict=True)
     }
     numbers = np.repeat(np.arange(len(curves)), [len(curve.points) for curve in curves])
     variables["curve_number"] = "point", numbers

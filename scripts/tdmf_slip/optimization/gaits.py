@@ -16,7 +16,7 @@ import contextlib
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import product
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -151,7 +151,9 @@ def spectrum_of(
     jacobian: NDArray[np.float64], variations: Sequence[NDArray[np.float64]], simple: bool = True
 ) -> Spectrum:
     """Sizes of the leading eigenvalues with their gradients, and the distance from a fold."""
-    values, right = np.linalg.eig(jacobian)
+    from scipy.linalg import eig  # slow to load
+
+    values, left, right = eig(jacobian, left=True)
     leading = [k for k in np.argsort(-np.abs(values), kind="stable") if values[k].imag >= 0.0][:LEADING]
     sizes, slopes = np.zeros(LEADING), np.zeros((LEADING, len(variations)))
     positive = np.zeros(LEADING, dtype=bool)
@@ -159,7 +161,7 @@ def spectrum_of(
         sizes[row] = abs(values[k])
         positive[row] = values[k].imag == 0.0 and values[k].real > 0.0
         if simple and sizes[row] > MINIMUM:
-            slopes[row] = _slopes(jacobian, values[k], right[:, k], variations)
+            slopes[row] = _slopes(values[k], left[:, k].conj(), right[:, k], variations)
     return Spectrum(sizes, slopes, positive, *_fold(jacobian, variations))
 
 
@@ -174,14 +176,9 @@ def _fold(
 
 
 def _slopes(
-    jacobian: NDArray[np.float64],
-    value: complex,
-    right: NDArray[np.complex128],
-    variations: Sequence[NDArray[np.float64]],
+    value: complex, left: NDArray[Any], right: NDArray[Any], variations: Sequence[NDArray[np.float64]]
 ) -> list[float]:
-    """Gradient of an eigenvalue's size."""
-    others, vectors = np.linalg.eig(jacobian.T)
-    left = vectors[:, np.argmin(np.abs(others - value))]  # of J^T: y^H without the conjugation
+    """Gradient of an eigenvalue's size, by y^H and x."""
     product = left @ right
     if abs(product) < SIMPLE:
         raise RunError("two leading eigenvalues of the gait meet, where they have no derivative")
