@@ -24,7 +24,7 @@ bool tdmf_can_step(const tdmf_ensemble *ensemble) {
 }
 
 bool tdmf_has_instructions(tdmf_instructions instructions) {
-    const tdmf_ensemble any = {.page = tdmf_runner_kind ? NULL : (const tdmf_page *)tdmf_pages[0].model,
+    const tdmf_ensemble any = {.page = tdmf_runner_kind ? NULL : (const tdmf_page *)tdmf_pages[0].whole.model,
                                .instructions = instructions};
     return tdmf_can_step(&any);
 }

@@ -84,7 +84,7 @@ static int place(int setting) {
 
 static tdmf_model_kind model(const tdmf_ensemble *ensemble, bool is_plain) {
     (void)is_plain;
-    return *model_of(ensemble);
+    return tdmf_model_in_lanes(model_of(ensemble));
 }
 
 static bool is_plain(const tdmf_ensemble *ensemble, int64_t index) {
@@ -139,7 +139,7 @@ static bool start(tdmf_member *member) {
         run->x[member->ground.foot_x] += member->end->foot_x;
         run->x[member->ground.foot_y] += member->end->foot_x * (slope < 0 ? 0.0 : tan(run->p[slope]));
     }
-    if (tdmf_unmet_requirement(of, run) != 0) {
+    if (tdmf_unmet_requirement(member->ensemble->page, run) != 0) {
         return tdmf_give_up(member, TDMF_FATE_NO_START);
     }
     member->has_started = member->begins_anew;

@@ -3,6 +3,7 @@
 
 #include "mapped_stride.h"
 #include "page_fields.h"
+#include "page_map.h"
 #include "page_run.h"
 #include "runner_checks.h"
 #include "runner_pages.h"
@@ -226,7 +227,7 @@ static void scales(const tdmf_member *member, double of[TDMF_POINT_LIMIT]) {
 }
 
 static tdmf_model_kind model(const tdmf_ensemble *ensemble, bool is_plain) {
-    return tdmf_model_in_lanes(tdmf_page_for(ensemble->map, is_plain));
+    return tdmf_model_in_lanes(tdmf_page_for(ensemble->map, is_plain)->model);
 }
 
 static void settle_in(tdmf_member *member, bool is_plain, int *places) {

@@ -1,6 +1,8 @@
 /* The choice of a page, and the motions of each page for 2, 4 and 8 lanes. */
 #include "runner_pages.h"
 
+#include "page_map.h"
+
 #include <string.h>
 
 tdmf_motions_of_width tdmf_plain_runner_motions_of_2, tdmf_plain_runner_motions_of_4,
@@ -32,12 +34,12 @@ const tdmf_page_part *tdmf_page_for(tdmf_apex_map map, bool is_plain) {
     return is_plain ? &tdmf_plain_runner_part : &tdmf_whole_page;
 }
 
-tdmf_model_kind tdmf_model_in_lanes(const tdmf_page_part *page) {
-    tdmf_model_kind model = *page->model;
+tdmf_model_kind tdmf_model_in_lanes(const tdmf_model_kind *model) {
+    tdmf_model_kind wide = *model;
     for (size_t i = 0; i < sizeof pages / sizeof *pages; ++i) {
-        if (pages[i].page == page) {
-            memcpy(model.lanes, pages[i].lanes, sizeof model.lanes);
+        if (pages[i].page->model == model) {
+            memcpy(wide.lanes, pages[i].lanes, sizeof wide.lanes);
         }
     }
-    return model;
+    return wide;
 }

@@ -8,7 +8,4 @@
 /* The page for a map. `is_plain`: for runners that need no more than the plain page. */
 const tdmf_page_part *tdmf_page_for(tdmf_apex_map map, bool is_plain);
 
-/* The model of a page with its motions in lanes. */
-tdmf_model_kind tdmf_model_in_lanes(const tdmf_page_part *page);
-
 #endif

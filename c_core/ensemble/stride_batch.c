@@ -2,6 +2,7 @@
 #include "tdmf_slip/ensemble.h"
 
 #include "batch.h"
+#include "page_map.h"
 #include "reduced_stride.h"
 #include "refusal.h"
 #include "runner_pages.h"
@@ -96,7 +97,7 @@ static const tdmf_page_part *page_of(const stride_part *part, int own) {
 
 /* Runs the strides of a part that were begun on a page. */
 static bool run_on_page(stride_part *part, const tdmf_page_part *page, int count, tdmf_return *results) {
-    const tdmf_model_kind model = tdmf_model_in_lanes(page);
+    const tdmf_model_kind model = tdmf_model_in_lanes(page->model);
     tdmf_batch kernel = tdmf_batch_default();
     for (int own = 0; own < count; ++own) {
         if (part->is_begun[own] && page_of(part, own) == page) {

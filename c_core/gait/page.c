@@ -19,10 +19,18 @@ const char *tdmf_page_build(void) {
 const tdmf_page *tdmf_page_named(const char *name) {
     for (int i = 0; name && i < tdmf_page_count; ++i) {
         if (strcmp(name, tdmf_pages[i].name) == 0) {
-            return (const tdmf_page *)tdmf_pages[i].model;
+            return (const tdmf_page *)tdmf_pages[i].whole.model;
         }
     }
     return NULL;
+}
+
+const tdmf_page_entry *tdmf_entry_of(const tdmf_page *page) {
+    const tdmf_page_entry *entry = tdmf_pages;
+    while (entry->whole.model != model_of(page)) {
+        ++entry;
+    }
+    return entry;
 }
 
 const char *tdmf_page_name(const tdmf_page *page, tdmf_page_item kind, int number) {
@@ -167,7 +175,7 @@ void tdmf_page_scales(const tdmf_page *page, const double *parameters, double *s
 
 /* ---- runs ---------------------------------------------------------------------------------------------- */
 
-tdmf_page_run tdmf_run_of_page_map(const tdmf_page_map *map) {
+static tdmf_page_run run_of(const tdmf_page_map *map) {
     const long limit = 100000;
     const tdmf_page_run run = {.p = map->parameters,
                                .x = map->states,
@@ -183,17 +191,8 @@ tdmf_page_run tdmf_run_of_page_map(const tdmf_page_map *map) {
     return run;
 }
 
-void tdmf_read_page_run(const tdmf_model_kind *model, const tdmf_page_run *r, double *states,
-                        double *d_states) {
-    const size_t size = (size_t)model->state_count * sizeof *states;
-    memcpy(states, r->x, size);
-    if (d_states) {
-        memcpy(d_states, r->dx, (size_t)r->seed_count * size);
-    }
-}
-
-tdmf_page_end tdmf_end_of_page_run(const tdmf_page_map *map, const tdmf_page_run *r, tdmf_run_outcome outcome,
-                                   tdmf_page_event *events) {
+static tdmf_page_end end_of(const tdmf_page_map *map, const tdmf_page_part *part, const tdmf_page_run *r,
+                            tdmf_run_outcome outcome) {
     static const tdmf_page_outcome outcomes[] = {
         [TDMF_RUN_ARRIVED] = TDMF_PAGE_TOO_LONG,
         [TDMF_RUN_STOPPED] = TDMF_PAGE_CROSSED,
@@ -208,20 +207,21 @@ tdmf_page_end tdmf_end_of_page_run(const tdmf_page_map *map, const tdmf_page_run
         [TDMF_RUN_TOO_MANY_SEEDS] = TDMF_PAGE_REFUSED,
     };
     const int logged = r->log_count < map->event_room ? r->log_count : map->event_room;
-    for (int i = 0; events && i < logged; ++i) {
+    for (int i = 0; map->events && i < logged; ++i) {
         const tdmf_event_row *row = &r->log[i];
-        events[i] = (tdmf_page_event){row->time, row->event, row->before, row->after};
+        map->events[i] =
+            (tdmf_page_event){row->time, tdmf_event_in_whole(part, row->event),
+                              tdmf_mode_in_whole(part, row->before), tdmf_mode_in_whole(part, row->after)};
     }
-    return (tdmf_page_end){outcomes[outcome], r->mode, r->time, (int)r->events, r->steps, 0};
+    return (tdmf_page_end){
+        outcomes[outcome], tdmf_mode_in_whole(part, r->mode), r->time, (int)r->events, r->steps, 0};
 }
 
-int tdmf_unmet_requirement(const tdmf_model_kind *model, const tdmf_page_run *r) {
-    for (int i = 0; i < tdmf_page_count; ++i) {
-        const tdmf_page_entry *entry = &tdmf_pages[i];
-        for (int k = 0; entry->model == model && k < entry->requirement_count; ++k) {
-            if (!(entry->requirements[k](r->p, r->x) >= 0.0)) {
-                return k + 1;
-            }
+int tdmf_unmet_requirement(const tdmf_page *page, const tdmf_page_run *r) {
+    const tdmf_page_entry *entry = tdmf_entry_of(page);
+    for (int k = 0; k < entry->requirement_count; ++k) {
+        if (!(entry->requirements[k](r->p, r->x) >= 0.0)) {
+            return k + 1;
         }
     }
     return 0;
@@ -260,30 +260,92 @@ static void keep_log(const tdmf_page_map *map, tdmf_page_run *r, double *numbers
     r->log_size = map->events ? map->event_room : 0;
 }
 
+/* ---- strides ------------------------------------------------------------------------------------------- */
+
+const tdmf_page_part *tdmf_part_for_stride(const tdmf_page_map *map) {
+    const tdmf_page_entry *entry = tdmf_entry_of(map->page);
+    const tdmf_model_kind *whole = entry->whole.model;
+    bool suits = entry->plain && entry->plain->excess(map->parameters, map->states) == 0.0;
+    for (int i = 0; suits && i < map->seed_count; ++i) {
+        suits = tdmf_part_varies(entry->plain, whole, map->d_parameters + i * whole->parameter_count,
+                                 map->d_states ? map->d_states + i * whole->state_count : NULL);
+    }
+    return suits ? entry->plain : &entry->whole;
+}
+
+/* Parameters, states and seeds of a map, as a part has them. */
+static size_t size_of_numbers(const tdmf_page_map *map) {
+    const tdmf_model_kind *model = model_of(map->page);
+    return (size_t)(model->parameter_count + model->state_count) * (size_t)(1 + map->seed_count);
+}
+
+size_t tdmf_stride_memory_size(const tdmf_page_map *map, bool is_in_batch) {
+    return size_of_numbers(map) + (is_in_batch ? tdmf_section_run_size : tdmf_section_memory_size)(
+                                      model_of(map->page), map->section, map->seed_count);
+}
+
+tdmf_page_run tdmf_begin_page_stride(const tdmf_page_map *map, const tdmf_page_part *part,
+                                     const double *point, bool varies, double *memory) {
+    const tdmf_model_kind *whole = model_of(map->page);
+    const int parameters = part->model->parameter_count, states = part->model->state_count;
+    double *p = memory, *x = p + parameters, *dp = x + states, *dx = dp + map->seed_count * parameters;
+    tdmf_page_run run = run_of(map);
+    tdmf_take_parameters(part, map->parameters, p);
+    tdmf_take_states(part, map->states, x);
+    for (int i = 0; varies && i < map->seed_count; ++i) {
+        tdmf_take_parameters(part, map->d_parameters + i * whole->parameter_count, dp + i * parameters);
+        if (map->d_states) {
+            tdmf_take_states(part, map->d_states + i * whole->state_count, dx + i * states);
+        }
+    }
+    run.p = p;
+    run.x = x;
+    run.dp = dp;
+    run.dx = map->d_states ? dx : NULL;
+    const tdmf_section_map section = {part->model, map->section, &run, map->longest,
+                                      memory + size_of_numbers(map)};
+    return tdmf_run_from_section(&section, point, varies);
+}
+
+void tdmf_read_page_stride(const tdmf_page_map *map, const tdmf_page_part *part, const tdmf_page_run *r,
+                           double *states, double *d_states) {
+    const size_t size = (size_t)model_of(map->page)->state_count;
+    memcpy(states, map->states, size * sizeof *states);
+    tdmf_give_states(part, r->x, states);
+    if (d_states) {
+        memset(d_states, 0, (size_t)r->seed_count * size * sizeof *d_states);
+    }
+    for (int i = 0; d_states && i < r->seed_count; ++i) {
+        tdmf_give_states(part, r->dx + i * part->model->state_count, d_states + (size_t)i * size);
+    }
+}
+
+tdmf_page_end tdmf_end_of_page_stride(const tdmf_page_map *map, const tdmf_page_part *part,
+                                      const tdmf_page_run *r, tdmf_run_outcome outcome) {
+    const tdmf_section_map section = {.model = part->model, .section = map->section};
+    return end_of(map, part, r, tdmf_outcome_at_section(&section, r, outcome));
+}
+
 tdmf_page_end tdmf_page_stride(const tdmf_page_map *map, const double *point, double *states,
                                double *d_states) {
     tdmf_refusal why;
     if (!is_sound(&why, map, point) || !states) {
         return refused(0);
     }
-    const tdmf_model_kind *model = model_of(map->page);
-    const size_t size = tdmf_section_memory_size(model, map->section, map->seed_count);
+    const size_t size = tdmf_stride_memory_size(map, false);
     memory of;
     if (!open_memory(&of, size + size_of_log(map))) {
         return (tdmf_page_end){.outcome = TDMF_PAGE_NO_MEMORY};
     }
-    const tdmf_page_run run = tdmf_run_of_page_map(map);
-    const tdmf_section_map section = {model, map->section, &run, map->longest, of.numbers};
-    tdmf_page_run r = tdmf_run_from_section(&section, point, d_states != NULL);
+    const tdmf_page_part *part = tdmf_part_for_stride(map);
+    tdmf_page_run r = tdmf_begin_page_stride(map, part, point, d_states != NULL, of.numbers);
     keep_log(map, &r, of.numbers + size);
-    const int requirement = tdmf_unmet_requirement(model, &r);
-    tdmf_page_end end = refused(requirement);
-    if (requirement == 0) {
-        const tdmf_run_outcome outcome =
-            tdmf_outcome_at_section(&section, &r, tdmf_page_run_to(model, &r, map->longest));
-        end = tdmf_end_of_page_run(map, &r, outcome, map->events);
-    }
-    tdmf_read_page_run(model, &r, states, d_states);
+    const int requirement = tdmf_unmet_requirement(map->page, &r);
+    const tdmf_page_end end =
+        requirement != 0
+            ? refused(requirement)
+            : tdmf_end_of_page_stride(map, part, &r, tdmf_page_run_to(part->model, &r, map->longest));
+    tdmf_read_page_stride(map, part, &r, states, d_states);
     close_memory(&of);
     return end;
 }
@@ -295,7 +357,7 @@ bool tdmf_page_fixed_point(const tdmf_page_map *map, double *point) {
         !open_memory(&of, tdmf_section_memory_size(model_of(map->page), map->section, map->seed_count))) {
         return false;
     }
-    const tdmf_page_run run = tdmf_run_of_page_map(map);
+    const tdmf_page_run run = run_of(map);
     const tdmf_section_map section = {model_of(map->page), map->section, &run, map->longest, of.numbers};
     tdmf_crossing last;
     const tdmf_fixed_point found = tdmf_find_crossing(&section, point, &last);
@@ -404,7 +466,7 @@ static size_t size_of_begun(const tdmf_page_map *map, const tdmf_page_samples *s
 /* A run from the start, or from a point. It varies along the seeds where derivatives are sampled. */
 static tdmf_page_run begun(const tdmf_page_map *map, const tdmf_page_samples *samples, double *numbers) {
     const tdmf_model_kind *model = model_of(map->page);
-    const tdmf_page_run run = tdmf_run_of_page_map(map);
+    const tdmf_page_run run = run_of(map);
     const size_t states = (size_t)model->state_count;
     tdmf_page_run r = run;
     if (samples && samples->point) {
@@ -447,14 +509,14 @@ tdmf_page_end tdmf_page_begin(const tdmf_page_map *map, double *states, const td
     if (!samples) {
         r.stop_event = section_of(map)->event;
     }
-    const int requirement = tdmf_unmet_requirement(model, &r);
+    const int requirement = tdmf_unmet_requirement(map->page, &r);
     tdmf_page_end end = refused(requirement);
     if (requirement == 0) {
         const tdmf_run_outcome outcome =
             samples ? sample(model, &r, samples, sampled) : tdmf_page_run_to(model, &r, map->longest);
-        end = tdmf_end_of_page_run(map, &r, outcome, map->events);
+        end = end_of(map, &tdmf_entry_of(map->page)->whole, &r, outcome);
     }
-    tdmf_read_page_run(model, &r, states, NULL);
+    memcpy(states, r.x, (size_t)model->state_count * sizeof *states);
     close_memory(&of);
     return end;
 }

@@ -1,4 +1,4 @@
-/* Strides of many runners on a page: runs from a section, some thousand at a time, as a batch of the kernel.
+/* Strides of many runners on a page: runs from a section, some hundred at a time, as a batch of the kernel.
  */
 #include "tdmf_slip/ensemble.h"
 
@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { RUNS_AT_ONCE = 4096 };
+enum { RUNS_AT_ONCE = 512 };
 
 /* Memory for the runs of a part of the batch. */
 typedef struct {
@@ -50,7 +50,8 @@ static tdmf_page_map map_of_run(const tdmf_page_batch *batch, int64_t number) {
 }
 
 /* Begins a run in memory. False if its numbers are refused, or its start by the page. */
-static bool begin(const tdmf_page_batch *batch, int64_t number, double *arrays, tdmf_page_run *r) {
+static bool begin(const tdmf_page_batch *batch, int64_t number, const tdmf_page_part *part, double *arrays,
+                  tdmf_page_run *r) {
     batch->ends[number] = (tdmf_page_end){.outcome = TDMF_PAGE_REFUSED};
     const tdmf_model_kind *model = model_of(batch);
     const tdmf_page_map map = map_of_run(batch, number);
@@ -59,33 +60,34 @@ static bool begin(const tdmf_page_batch *batch, int64_t number, double *arrays, 
         !tdmf_are_page_values_sound(model, map.parameters, map.states)) {
         return false;
     }
-    const tdmf_page_run run = tdmf_run_of_page_map(&map);
-    const tdmf_section_map section = {model, map.section, &run, map.longest, arrays};
-    *r = tdmf_run_from_section(&section, point, batch->d_states != NULL);
-    batch->ends[number].requirement = tdmf_unmet_requirement(model, r);
-    tdmf_read_page_run(model, r, batch->states + number * model->state_count, NULL);
+    *r = tdmf_begin_page_stride(&map, part, point, batch->d_states != NULL, arrays);
+    batch->ends[number].requirement = tdmf_unmet_requirement(map.page, r);
+    if (batch->ends[number].requirement != 0) {
+        tdmf_read_page_stride(&map, part, r, batch->states + number * model->state_count, NULL);
+    }
     return batch->ends[number].requirement == 0;
 }
 
-static void finish(const tdmf_page_batch *batch, int64_t number, const tdmf_page_run *r,
-                   tdmf_run_outcome outcome) {
+static void finish(const tdmf_page_batch *batch, int64_t number, const tdmf_page_part *part,
+                   const tdmf_page_run *r, tdmf_run_outcome outcome) {
     const tdmf_model_kind *model = model_of(batch);
     const tdmf_page_map map = map_of_run(batch, number);
     const int64_t states = model->state_count, seeds = model->sections[map.section].count + map.seed_count;
     double *d_states = batch->d_states ? batch->d_states + number * seeds * states : NULL;
-    const tdmf_section_map section = {.model = model, .section = map.section};
-    const tdmf_run_outcome crossed = tdmf_outcome_at_section(&section, r, outcome);
-    tdmf_read_page_run(model, r, batch->states + number * states, d_states);
-    batch->ends[number] = tdmf_end_of_page_run(&map, r, crossed, map.events);
+    tdmf_read_page_stride(&map, part, r, batch->states + number * states, d_states);
+    batch->ends[number] = tdmf_end_of_page_stride(&map, part, r, outcome);
 }
 
-/* Makes the strides of some runs, of which not all may be accepted. */
-static bool run_part(const tdmf_page_batch *batch, int64_t first, int64_t count, size_t size, room *of) {
+/* Makes those of some strides that run on a part, of which not all may be accepted. */
+static bool run_on(const tdmf_page_part *part, const tdmf_page_batch *batch, int64_t first, int64_t count,
+                   size_t size, room *of) {
     const tdmf_page_map *map = batch->map;
     int64_t begun = 0;
     for (int64_t number = first; number < first + count; ++number) {
         tdmf_page_run *r = &of->runs[begun];
-        if (!begin(batch, number, of->arrays + (size_t)begun * size, r)) {
+        const tdmf_page_map own = map_of_run(batch, number);
+        if (tdmf_part_for_stride(&own) != part ||
+            !begin(batch, number, part, of->arrays + (size_t)begun * size, r)) {
             continue;
         }
         r->log = map->events ? of->rows + begun * map->event_room : NULL;
@@ -93,6 +95,7 @@ static bool run_part(const tdmf_page_batch *batch, int64_t first, int64_t count,
         of->until[begun] = map->longest;
         of->numbers[begun++] = number;
     }
+    const tdmf_model_kind model = tdmf_model_in_lanes(part->model);
     tdmf_batch kernel = tdmf_batch_default();
     kernel.runs = of->runs;
     kernel.count = begun;
@@ -100,11 +103,11 @@ static bool run_part(const tdmf_page_batch *batch, int64_t first, int64_t count,
     kernel.outcomes = of->outcomes;
     kernel.cancel = batch->cancel;
     kernel.threads = batch->threads;
-    if (!tdmf_run_batch(model_of(batch), &kernel, NULL)) {
+    if (!tdmf_run_batch(&model, &kernel, NULL)) {
         return false;
     }
     for (int64_t i = 0; i < begun; ++i) {
-        finish(batch, of->numbers[i], &of->runs[i], of->outcomes[i]);
+        finish(batch, of->numbers[i], part, &of->runs[i], of->outcomes[i]);
     }
     return true;
 }
@@ -116,13 +119,15 @@ bool tdmf_page_strides(const tdmf_page_batch *batch) {
         return false;
     }
     const tdmf_page_map *map = batch->map;
-    const size_t size = tdmf_section_run_size(model_of(batch), map->section, map->seed_count);
+    const size_t size = tdmf_stride_memory_size(map, true);
+    const tdmf_page_entry *entry = tdmf_entry_of(map->page);
     const int64_t most = batch->count < RUNS_AT_ONCE ? batch->count : RUNS_AT_ONCE;
     room of;
     bool is_made = open_room(batch, (size_t)most + 1, size, &of);
     for (int64_t first = 0; is_made && first < batch->count; first += most) {
-        const int64_t left = batch->count - first;
-        is_made = run_part(batch, first, left < most ? left : most, size, &of);
+        const int64_t left = batch->count - first, count = left < most ? left : most;
+        is_made = run_on(&entry->whole, batch, first, count, size, &of) &&
+                  (!entry->plain || run_on(entry->plain, batch, first, count, size, &of));
     }
     close_room(&of);
     return is_made;

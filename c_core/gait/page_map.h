@@ -4,12 +4,14 @@
 
 #include "tdmf_slip/page.h"
 
+#include "page_part.h"
 #include "section.h"
 
 /* The models of this library by name. */
 typedef struct {
     const char *name;
-    const tdmf_model_kind *model;
+    tdmf_page_part whole;
+    const tdmf_page_part *plain;      /* faster, for runs that need no more; NULL: there is none */
     tdmf_answer *const *requirements; /* numbers that must not be negative at a start */
     int requirement_count;
 } tdmf_page_entry;
@@ -23,18 +25,32 @@ bool tdmf_is_page_map_sound(tdmf_refusal *why, const tdmf_page_map *map);
 bool tdmf_are_page_values_sound(const tdmf_model_kind *model, const double *parameters, const double *states);
 bool tdmf_is_page_point_sound(const tdmf_section_kind *section, const double *point);
 
-/* A run with the settings of a map, which a section starts. */
-tdmf_page_run tdmf_run_of_page_map(const tdmf_page_map *map);
+/* A model with its motions in lanes. */
+tdmf_model_kind tdmf_model_in_lanes(const tdmf_model_kind *model);
+
+/* The model's entry. */
+const tdmf_page_entry *tdmf_entry_of(const tdmf_page *page);
+
+/* The page on which a stride of a map runs: the plain one where it has all that acts and all that varies. */
+const tdmf_page_part *tdmf_part_for_stride(const tdmf_page_map *map);
+
+/* Numbers of memory for a stride of a map, of which a run in a batch needs the first ones. */
+size_t tdmf_stride_memory_size(const tdmf_page_map *map, bool is_in_batch);
+
+/* A stride of a map from a point of its section, as a run on a part in memory. */
+tdmf_page_run tdmf_begin_page_stride(const tdmf_page_map *map, const tdmf_page_part *part,
+                                     const double *point, bool varies, double *memory);
 
 /* The number, from 1, of the requirement that the start of a run does not meet; 0 where all are met. */
-int tdmf_unmet_requirement(const tdmf_model_kind *model, const tdmf_page_run *r);
+int tdmf_unmet_requirement(const tdmf_page *page, const tdmf_page_run *r);
 
-/* The states of a run and, unless `d_states` is NULL, their variations: a row for each. */
-void tdmf_read_page_run(const tdmf_model_kind *model, const tdmf_page_run *r, double *states,
-                        double *d_states);
+/* Writes the states of a stride on a part and, unless `d_states` is NULL, their variations: a row for each.
+ */
+void tdmf_read_page_stride(const tdmf_page_map *map, const tdmf_page_part *part, const tdmf_page_run *r,
+                           double *states, double *d_states);
 
-/* Result of a run; its logged events are written to `events`, which may be NULL. */
-tdmf_page_end tdmf_end_of_page_run(const tdmf_page_map *map, const tdmf_page_run *r, tdmf_run_outcome outcome,
-                                   tdmf_page_event *events);
+/* Result of a stride on a part, also of one that ends where it crosses the section. Writes the events. */
+tdmf_page_end tdmf_end_of_page_stride(const tdmf_page_map *map, const tdmf_page_part *part,
+                                      const tdmf_page_run *r, tdmf_run_outcome outcome);
 
 #endif

@@ -39,18 +39,18 @@ PART = """\
 #include "page_part.h"
 
 extern const tdmf_model_kind tdmf_{file}_model;
-extern const tdmf_page_part tdmf_{file}_part;
+extern const tdmf_page_part tdmf_{name};
 
 {tables}
-const tdmf_page_part tdmf_{file}_part = {{
+const tdmf_page_part tdmf_{name} = {{
     .model = &tdmf_{file}_model, .parameters = parameters, .states = states, .events = events, .modes = modes,
     .copies = copies, .copy_count = {copy_count}, .excess = {excess},
 }};
 """
 
 
-def part_of(whole, part):
-    """C that says where parameters, states, modes and events of a page are in another page.
+def part_of(whole, part, name):
+    """C with a name that says where parameters, states, modes and events of a page are in another page.
 
     The other page has them all but for modes, which are then at -1. Its modes may have further words.
     """
@@ -72,8 +72,8 @@ def part_of(whole, part):
         excess = functions.add("excess", "answer", body, part.model.excess.__doc__)
         tables += functions.texts[0]
     return wrapped_text(PART.format(
-        part=part.model.__name__, whole=whole.model.__name__, file=part.c, whole_file=whole.c, tables=tables,
-        copy_count=len(copies), excess=excess))
+        part=part.model.__name__, whole=whole.model.__name__, file=part.c, name=name, whole_file=whole.c,
+        tables=tables, copy_count=len(copies), excess=excess))
 
 
 core = Path(__file__).parents[1]
@@ -86,7 +86,9 @@ for page in pages.values():
         page.outputs = {}  # other pages have them
     texts |= generate(page, for_unit=page.model is Runner) | seeds_of(page)
 for model in (PlainRunner, PlainReducedRunner, ReducedRunner):
-    texts[f"{pages[model].c}_in_runner.c"] = part_of(pages[Runner], pages[model])
+    texts[f"{pages[model].c}_in_runner.c"] = part_of(pages[Runner], pages[model], f"{pages[model].c}_part")
+whole, plain = pages[ReducedRunner], pages[PlainReducedRunner]
+texts[f"{plain.c}_in_{whole.c}.c"] = part_of(whole, plain, f"{plain.c}_in_{whole.c}")
 unit = runner_unit(pages[Runner])
 texts |= {"unit_page.h": header(unit), "unit_page.c": tables(unit), "ranges.c": ranges(unit)}
 

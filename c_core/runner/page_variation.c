@@ -5,20 +5,12 @@
 #include "page_fields.h"
 
 #include <float.h>
-#include <string.h>
 
-/* True if the plain page has all that changes along a seed: mapping the seed there and back loses nothing. */
+/* True if the plain page has all that changes along a seed. */
 static bool varies_plain_page(const tdmf_seed *seed) {
-    const tdmf_page_part *part = &tdmf_plain_runner_part;
     const tdmf_page_direction d = tdmf_direction_of_seed(seed);
-    tdmf_page_direction back;
-    double p[TDMF_PAGE_PARAMETER_COUNT], x[TDMF_PAGE_STATE_COUNT];
-    memset(&back, 0, sizeof back);
-    tdmf_take_parameters(part, &d.p, p);
-    tdmf_take_states(part, &d.x, x);
-    tdmf_give_parameters(part, p, &back.p);
-    tdmf_give_states(part, x, &back.x);
-    return memcmp(&back, &d, sizeof d) == 0;
+    return tdmf_part_varies(&tdmf_plain_runner_part, &tdmf_runner_model, (const double *)&d.p,
+                            (const double *)&d.x);
 }
 
 bool tdmf_suits_plain_page_varied(const tdmf_page_point *point, const tdmf_seed *seeds, int count) {

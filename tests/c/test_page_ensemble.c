@@ -262,3 +262,111 @@ TEST(requests_that_a_page_cannot_meet_are_refused) {
     REFUSED(h.law.noise[2] = 0.1);
     REFUSED(h.high = NAN);
 }
+
+/* ---- strides on the plain page ------------------------------------------------------------------------- */
+
+enum { SECTION = 6, SEEDS = 1, ROWS = SECTION + SEEDS, ALL_STATES = 128, MOST_EVENTS = 20 };
+
+/* Strides of a page of the package near its gait. */
+typedef struct {
+    const tdmf_page *page;
+    double parameters[PARAMETERS], states[ALL_STATES], along[PARAMETERS];
+    double points[RUNNERS][SECTION];
+    double made[RUNNERS][ALL_STATES], varied[RUNNERS][ROWS][ALL_STATES];
+    tdmf_page_event events[RUNNERS][MOST_EVENTS];
+    tdmf_page_end ends[RUNNERS];
+    tdmf_page_map map;
+} neighbours;
+
+static void prepare_neighbours(neighbours *n, const char *page, double thrust) {
+    static const double gait[SECTION] = {1.418508, 1.062005, 0.999999, -0.546253, 0.0, 0.0};
+    const bool is_reduced = strcmp(page, "runner") != 0;
+    memset(n, 0, sizeof *n);
+    n->page = tdmf_page_named(page);
+    tdmf_page_defaults(n->page, n->parameters, n->states);
+    n->parameters[number_of(n->page, TDMF_PAGE_PARAMETER, "thrust")] = thrust;
+    n->along[number_of(n->page, TDMF_PAGE_PARAMETER, "damping")] = 1.0;
+    for (int i = 0; i < RUNNERS; ++i) {
+        double *point = is_reduced ? &n->points[0][2 * i] : n->points[i];
+        memcpy(point, gait, (is_reduced ? 2 : SECTION) * sizeof *point);
+        point[0] -= 0.01 * i;
+    }
+    n->map = (tdmf_page_map){.page = n->page,
+                             .parameters = n->parameters,
+                             .states = n->states,
+                             .tolerance = 1e-13,
+                             .longest = 1e4,
+                             .seed_count = SEEDS,
+                             .d_parameters = n->along,
+                             .event_room = MOST_EVENTS,
+                             .events = n->events[0]};
+}
+
+static int count_of_states(const tdmf_page *page) {
+    int count = 0;
+    while (tdmf_page_name(page, TDMF_PAGE_STATE, count)) {
+        ++count;
+    }
+    return count;
+}
+
+/* The states are written row by row, as many as the page has. */
+static double *row_of(double *rows, int row, const tdmf_page *page) {
+    return rows + row * count_of_states(page);
+}
+
+static void make_neighbours(neighbours *n) {
+    const tdmf_page_batch batch = {.map = &n->map,
+                                   .count = RUNNERS,
+                                   .points = n->points[0],
+                                   .states = n->made[0],
+                                   .d_states = n->varied[0][0],
+                                   .ends = n->ends,
+                                   .threads = 2};
+    assert_true(tdmf_page_strides(&batch));
+}
+
+/* A thrust too small for any result is not on the plain page. */
+static void assert_plain_is_whole(const char *page, int coordinates) {
+    static const char *const names[] = {"apex_com_height", "apex_com_speed",      "period",
+                                        "work_of_stride",  "peak_vertical_force", "positive_work",
+                                        "impact_loss",     "damper_loss",         "slip_distance"};
+    static neighbours plain, whole;
+    double alone[ALL_STATES], varied[ROWS * ALL_STATES];
+    prepare_neighbours(&plain, page, 0.0);
+    prepare_neighbours(&whole, page, 1e-200);
+    make_neighbours(&plain);
+    make_neighbours(&whole);
+    const int states = count_of_states(plain.page), rows = coordinates + SEEDS;
+    for (int i = 0; i < RUNNERS; ++i) {
+        const double *made = row_of(plain.made[0], i, plain.page);
+        const double *by = row_of(plain.varied[0][0], rows * i, plain.page);
+        assert_int_equal(plain.ends[i].outcome, TDMF_PAGE_CROSSED);
+        assert_int_equal(plain.ends[i].mode, whole.ends[i].mode);
+        const tdmf_page_event *last = &plain.events[i][plain.ends[i].event_count - 1];
+        const tdmf_page_event *of_whole = &whole.events[i][whole.ends[i].event_count - 1];
+        assert_int_equal(last->event, number_of(plain.page, TDMF_PAGE_EVENT, "apex"));
+        assert_int_equal(last->event, of_whole->event);
+        assert_int_equal(last->after, of_whole->after);
+        assert_close(last->time, of_whole->time, 1e-11);
+        assert_true(whole.ends[i].event_count > plain.ends[i].event_count); /* the greatest compression */
+        for (size_t k = 0; k < sizeof names / sizeof *names; ++k) {
+            const int state = number_of(plain.page, TDMF_PAGE_STATE, names[k]);
+            assert_close(made[state], row_of(whole.made[0], i, plain.page)[state], 1e-11);
+            for (int row = 0; row < rows; ++row) {
+                assert_close(by[row * states + state],
+                             row_of(whole.varied[0][0], rows * i + row, plain.page)[state], 1e-7);
+            }
+        }
+        const tdmf_page_end end =
+            tdmf_page_stride(&plain.map, plain.points[0] + coordinates * i, alone, varied);
+        assert_int_equal(end.steps, plain.ends[i].steps);
+        assert_memory_equal(alone, made, (size_t)states * sizeof *alone);
+        assert_memory_equal(varied, by, (size_t)(rows * states) * sizeof *varied);
+    }
+}
+
+TEST(strides_on_the_plain_page_are_those_on_the_whole_page) {
+    assert_plain_is_whole("runner", SECTION);
+    assert_plain_is_whole("reduced_runner", TDMF_REDUCED_COUNT);
+}

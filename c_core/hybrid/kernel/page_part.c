@@ -38,6 +38,21 @@ int tdmf_event_on_part(const tdmf_page_part *part, int of_whole) {
     return place_of(part->events, part->model->event_count, of_whole);
 }
 
+static bool has_all(const int *places, int own_count, const double *of_whole, int count) {
+    for (int i = 0; of_whole && i < count; ++i) {
+        if (of_whole[i] != 0.0 && place_of(places, own_count, i) < 0) {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool tdmf_part_varies(const tdmf_page_part *part, const tdmf_model_kind *whole, const double *dp,
+                      const double *dx) {
+    return has_all(part->parameters, part->model->parameter_count, dp, whole->parameter_count) &&
+           has_all(part->states, part->model->state_count, dx, whole->state_count);
+}
+
 uint64_t tdmf_events_in_whole(const tdmf_page_part *part, uint64_t own) {
     uint64_t of_whole = 0;
     for (int i = 0; i < part->model->event_count; ++i) {

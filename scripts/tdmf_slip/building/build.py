@@ -171,10 +171,14 @@ def _list_in_c(table: Mapping[str, Any], functions: Sequence[str], requirements:
 
 {texts}
 static tdmf_answer *const requirements[] = {{{listed}}};
-const tdmf_page_entry tdmf_pages[] = {{{{"{name}", &tdmf_{name}_model, requirements, {len(requirements)}}}}};
+const tdmf_page_entry tdmf_pages[] = {{
+    {{"{name}", {{.model = &tdmf_{name}_model}}, NULL, requirements, {len(requirements)}}}}};
 const int tdmf_page_count = 1;
 const char *const tdmf_build_identity = "{table["id"]}";
 const tdmf_member_kind *const tdmf_runner_kind = NULL;
+tdmf_model_kind tdmf_model_in_lanes(const tdmf_model_kind *model) {{
+    return *model;
+}}
 """
 
 
