@@ -11,10 +11,10 @@ import sys
 import tempfile
 from pathlib import Path
 
+import matplotlib.pyplot as plt
 import numpy as np
 from scipy.optimize import minimize_scalar
 from tdmf_slip import build, find_gait, load_model
-from tdmf_slip.pictures import style
 
 PAGE = Path(__file__).parent / "pages" / "compliant_runner.py"
 FRICTIONS = {10.0: "#22303c", 1.2: "#4c78a8", 0.6: "#0b7a75", 0.43: "#b279a2", 0.2: "#e07b00"}
@@ -119,25 +119,24 @@ def speeds(model, stiffness):
 def draw(path, branches, over_friction):
     """Draw differences from rigid ground against the stiffness, and speed against friction."""
     names = "speed", "cost of transport", "largest eigenvalue"
-    with style.styled():
-        figure, panels = style.subplots(2, 2, figsize=(8.6, 7.2))
-        for (clamp, friction), gaits in branches.items():
-            line = {"color": FRICTIONS[friction], "linestyle": ":" if clamp else "-"}
-            label = None if clamp else f"friction {friction:g}"
-            for axes, values in zip(panels.flat, np.abs(differences(gaits)).T, strict=False):
-                axes.loglog(STIFFNESSES, values, **line, label=label)
-        for number, (axes, name) in enumerate(zip(panels.flat, names, strict=False)):
-            axes.axhline(GOOD, **style.LIMIT_LINE)
-            axes.set(ylim=(3e-7, 0.2), xlabel="stiffness of the ground (leg stiffnesses)")
-            axes.set_title(f"({'abc'[number]}) difference from rigid ground: {name}")
-        panels[0, 0].legend(loc="lower left", title="dotted: with the clamp")
-        for stiffness, values in over_friction.items():
-            label = "rigid" if np.isinf(stiffness) else f"stiffness {stiffness:g}"
-            panels[1, 1].semilogx(SWEPT, values, color=OPTIMA[stiffness], label=label)
-        panels[1, 1].set_title("(d) average speed (l₀√(k/m))")
-        panels[1, 1].set(xlabel="friction")
-        panels[1, 1].legend(loc="lower center")
-        style.save(figure, Path(path))
+    figure, panels = plt.subplots(2, 2, figsize=(8.6, 7.2), layout="constrained")
+    for (clamp, friction), gaits in branches.items():
+        line = {"color": FRICTIONS[friction], "linestyle": ":" if clamp else "-"}
+        label = None if clamp else f"friction {friction:g}"
+        for axes, values in zip(panels.flat, np.abs(differences(gaits)).T, strict=False):
+            axes.loglog(STIFFNESSES, values, **line, label=label)
+    for number, (axes, name) in enumerate(zip(panels.flat, names, strict=False)):
+        axes.axhline(GOOD, color="black", linestyle="--", linewidth=0.9)
+        axes.set(ylim=(3e-7, 0.2), xlabel="stiffness of the ground (leg stiffnesses)")
+        axes.set_title(f"({'abc'[number]}) difference from rigid ground: {name}")
+    panels[0, 0].legend(loc="lower left", title="dotted: with the clamp")
+    for stiffness, values in over_friction.items():
+        label = "rigid" if np.isinf(stiffness) else f"stiffness {stiffness:g}"
+        panels[1, 1].semilogx(SWEPT, values, color=OPTIMA[stiffness], label=label)
+    panels[1, 1].set_title("(d) average speed (l₀√(k/m))")
+    panels[1, 1].set(xlabel="friction")
+    panels[1, 1].legend(loc="lower center")
+    figure.savefig(path, dpi=150)
 
 
 def main():

@@ -7,12 +7,10 @@ The picture shows the ground, where foot and centre of mass go, and the leg wher
 """
 
 import sys
-from pathlib import Path
 
 import matplotlib.pyplot as plt
 import numpy as np
 from tdmf_slip import Profile, simulate
-from tdmf_slip.pictures import style
 
 STRIDES = 8
 RECORDED = ("foot.x", "foot.y", "body.x", "body.y", "com.x", "com.y", "contact.normal")
@@ -33,26 +31,24 @@ def run():
 
 def draw(path, profile, rows):
     """Draw the rows of a run."""
-    with style.styled():
-        figure, axes = plt.subplots(figsize=(7.6, 3.2), layout="constrained")
-        end = float(rows["com.x"][-1])
-        inside = (profile.x > 0) & (profile.x < end)
-        x = np.concatenate([[0.0], profile.x[inside], [end]])
-        y = np.concatenate([profile.height([0.0]), profile.y[inside], profile.height([end])])
-        axes.fill_between(x, y, y.min() - 0.4, color=style.GROUND, linewidth=0)
-        axes.plot(rows["com.x"], rows["com.y"], color=style.CURVE, label="centre of mass")
-        axes.plot(rows["foot.x"], rows["foot.y"], color=style.SECOND_CURVE, linewidth=1.0, label="foot")
-        loaded = np.flatnonzero(rows["contact.normal"] > 0)[::4]
-        coordinates = (
-            (rows["foot.x"].values, rows["body.x"].values),
-            (rows["foot.y"].values, rows["body.y"].values),
-        )
-        legs = [np.array([foot[loaded], body[loaded]]) for foot, body in coordinates]
-        axes.plot(*legs, color=style.FAINT, linewidth=0.7, zorder=1)
-        axes.set(xlim=(0.0, end), ylim=(y.min() - 0.4, 3.4))
-        style.label(axes, "x (l₀)", "height (l₀)")
-        axes.legend(loc="upper right", ncols=2)
-        style.save(figure, Path(path))
+    figure, axes = plt.subplots(figsize=(7.6, 3.2), layout="constrained")
+    end = float(rows["com.x"][-1])
+    inside = (profile.x > 0) & (profile.x < end)
+    x = np.concatenate([[0.0], profile.x[inside], [end]])
+    y = np.concatenate([profile.height([0.0]), profile.y[inside], profile.height([end])])
+    axes.fill_between(x, y, y.min() - 0.4, color="0.82", linewidth=0)
+    axes.plot(rows["com.x"], rows["com.y"], color="#22303c", label="centre of mass")
+    axes.plot(rows["foot.x"], rows["foot.y"], color="#0b7a75", linewidth=1.0, label="foot")
+    loaded = np.flatnonzero(rows["contact.normal"] > 0)[::4]
+    coordinates = (
+        (rows["foot.x"].values, rows["body.x"].values),
+        (rows["foot.y"].values, rows["body.y"].values),
+    )
+    legs = [np.array([foot[loaded], body[loaded]]) for foot, body in coordinates]
+    axes.plot(*legs, color="0.6", linewidth=0.7, zorder=1)
+    axes.set(xlim=(0.0, end), ylim=(y.min() - 0.4, 3.4), xlabel="x (l₀)", ylabel="height (l₀)")
+    axes.legend(loc="upper right", ncols=2)
+    figure.savefig(path, dpi=150)
 
 
 def main():

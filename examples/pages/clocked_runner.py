@@ -3,7 +3,7 @@
 from math import pi
 
 from tdmf_slip.hybrid import atan2, event, parameter, select, sin, sqrt, state
-from tdmf_slip.pages.runner import PlainRunner
+from tdmf_slip.pages import PlainRunner
 
 
 class ClockedRunner(PlainRunner):

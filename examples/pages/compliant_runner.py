@@ -1,7 +1,7 @@
 """A runner on ground that yields: a spring with the damping of Hunt and Crossley (1975)."""
 
 from tdmf_slip.hybrid import Record, event, mode, observe, parameter, select, state
-from tdmf_slip.pages.runner import PLACE, PlainRunner
+from tdmf_slip.pages import PLACE, PlainRunner
 
 
 class CompliantRunner(PlainRunner):

@@ -1,7 +1,7 @@
 """The runner with a proportional-derivative law of the hip in stance."""
 
 from tdmf_slip.hybrid import parameter, radians
-from tdmf_slip.pages.runner import PlainRunner
+from tdmf_slip.pages import PlainRunner
 
 
 class PdRunner(PlainRunner):

@@ -48,7 +48,7 @@ def system(held, tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def expected(held):
-    """The library's run: time, position, leg angle, speed and touchdown angle after each step."""
+    """The unit alone: time, position, leg angle, speed and touchdown angle after each step."""
     return np.array(held.by_communication(STEP, STOP_TIME))
 
 
@@ -56,7 +56,7 @@ def test_the_controller_is_a_sound_unit(system):
     assert not validate_fmu(str(system.with_name("STRIDE_CONTROLLER.fmu")))
 
 
-def test_fmpy_runs_the_system_as_the_library(system, expected):
+def test_fmpy_runs_the_system_as_a_script_runs_the_unit_alone(system, expected):
     rows = simulate_ssp(str(system), stop_time=STOP_TIME, step_size=STEP)
     assert rows["runner.stride.count"][-1] == 5 and len(rows) == len(expected)
     assert len(np.unique(expected[:, 4])) == 6  # none at first, then one for each stride
@@ -64,7 +64,7 @@ def test_fmpy_runs_the_system_as_the_library(system, expected):
         assert rows[name] == pytest.approx(expected[:, column], rel=1e-8, abs=1e-8), name
 
 
-def test_a_container_runs_the_system_as_the_library(system, expected, tmp_path):
+def test_a_container_runs_the_system_as_a_script_runs_the_unit_alone(system, expected, tmp_path):
     pytest.importorskip("fmu_manipulation_toolbox", exc_type=ImportError)
     shutil.copy(system, tmp_path)
     command = [sys.executable, "-c", CONTAINER, "-container", f"{system.name}:{STEP}", "-fmu-directory", "."]

@@ -56,12 +56,15 @@ def test_parts_import_only_what_is_before_them():
         assert set(imported(path, path.read_text(encoding="utf-8"))) <= GROUND
 
 
-def test_guides_import_public_names_only():
-    """A guide takes names from `tdmf_slip` or `tdmf_slip.hybrid`, and from no module below."""
-    guides = [*(ROOT / "documentation/guides").glob("*.md"), *(ROOT / "documentation/reference").glob("*.md")]
-    below = re.compile(r"^ *(?:from|import) tdmf_slip\.(?!hybrid\b).*", re.MULTILINE)
-    found = {path.name: below.findall(path.read_text(encoding="utf-8")) for path in guides}
-    assert len(found) > 40
+def test_guides_and_examples_import_public_names_only():
+    """They take names from `tdmf_slip`, `tdmf_slip.hybrid` or `tdmf_slip.pages`, and from no module below."""
+    guides = [
+        path for folder in ("guides", "reference") for path in (ROOT / "documentation" / folder).glob("*.md")
+    ]
+    examples = list((ROOT / "examples").rglob("*.py"))
+    below = re.compile(r"^ *(?:from|import) tdmf_slip\.(?!(?:hybrid|pages) import\b).*", re.MULTILINE)
+    found = {path.name: below.findall(path.read_text(encoding="utf-8")) for path in guides + examples}
+    assert len(guides) > 40 and len(examples) > 15
     assert {name: lines for name, lines in found.items() if lines} == {}
 
 
