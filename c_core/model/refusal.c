@@ -17,13 +17,6 @@ tdmf_refusal tdmf_absent(const char *name) {
     return refusal;
 }
 
-bool tdmf_accepts_pointer(tdmf_refusal *why, const char *name, const void *pointer) {
-    if (pointer == NULL) {
-        *why = tdmf_absent(name);
-    }
-    return pointer != NULL;
-}
-
 static bool accepts(tdmf_refusal *why, const tdmf_refusal *number) {
     const bool is_in_range = number->value >= number->minimum && number->value <= number->maximum;
     if (!is_in_range) {

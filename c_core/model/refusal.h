@@ -6,11 +6,21 @@
 #include "tdmf_slip/refusal.h"
 
 #include <stdbool.h>
+#include <stddef.h>
 
 /* A refusal that another function has found. */
 bool tdmf_accepts(tdmf_refusal *why, tdmf_refusal refusal);
 
-bool tdmf_accepts_pointer(tdmf_refusal *why, const char *name, const void *pointer);
+/* Refuses a pointer that is NULL. */
+tdmf_refusal tdmf_absent(const char *name);
+
+/* Stands here so that the static analyzer sees that an accepted pointer is not NULL. */
+static inline bool tdmf_accepts_pointer(tdmf_refusal *why, const char *name, const void *pointer) {
+    if (pointer == NULL) {
+        *why = tdmf_absent(name);
+    }
+    return pointer != NULL;
+}
 
 /* Accepts a number from `minimum` to `maximum`, but not NaN. */
 bool tdmf_accepts_number(tdmf_refusal *why, const char *name, const char *unit, double value, double minimum,
@@ -27,8 +37,5 @@ bool tdmf_accepts_array(tdmf_refusal *why, const char *name, const void *element
 /* Accepts if `holds`; otherwise writes the refusal of the element `index` of `name` by `rule`. */
 bool tdmf_accepts_if(tdmf_refusal *why, bool holds, tdmf_refusal_code code, const char *name, int64_t index,
                      const char *rule);
-
-/* Refuses a pointer that is NULL. */
-tdmf_refusal tdmf_absent(const char *name);
 
 #endif
