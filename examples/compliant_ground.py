@@ -128,12 +128,12 @@ def draw(path, branches, over_friction):
     for number, (axes, name) in enumerate(zip(panels.flat, names, strict=False)):
         axes.axhline(GOOD, color="black", linestyle="--", linewidth=0.9)
         axes.set(ylim=(3e-7, 0.2), xlabel="stiffness of the ground (leg stiffnesses)")
-        axes.set_title(f"({'abc'[number]}) difference from rigid ground: {name}")
+        axes.set_title(f"({'abc'[number]}) difference from rigid ground: {name}", fontsize=10)
     panels[0, 0].legend(loc="lower left", title="dotted: with the clamp")
     for stiffness, values in over_friction.items():
         label = "rigid" if np.isinf(stiffness) else f"stiffness {stiffness:g}"
         panels[1, 1].semilogx(SWEPT, values, color=OPTIMA[stiffness], label=label)
-    panels[1, 1].set_title("(d) average speed (l₀√(k/m))")
+    panels[1, 1].set_title("(d) average speed (l₀√(k/m))", fontsize=10)
     panels[1, 1].set(xlabel="friction")
     panels[1, 1].legend(loc="lower center")
     figure.savefig(path, dpi=150)
