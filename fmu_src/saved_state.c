@@ -321,8 +321,8 @@ call_status deserialize_state(instance *fmu, const void *bytes, size_t size, voi
         return CALL_ERROR;
     }
     if (size != sizeof saved) {
-        return answer(fmu, CALL_DISCARD, "%lu bytes are no state of this unit, which has %lu",
-                      (unsigned long)size, (unsigned long)sizeof saved);
+        return answer(fmu, CALL_DISCARD, "a state of this unit has %lu bytes, not %lu",
+                      (unsigned long)sizeof saved, (unsigned long)size);
     }
     if (!read_state(&read, bytes)) {
         return answer(fmu, CALL_DISCARD, "the bytes are refused: %s", read.reason);

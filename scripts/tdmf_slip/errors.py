@@ -41,6 +41,11 @@ class StoppedError(KeyboardInterrupt):
         """Ends of the runners that had begun, with the fields of `Batch.run`."""
 
 
+def counted(number: int, noun: str) -> str:
+    """A number of things in a message: 1 step, 2 steps, 1,000 steps."""
+    return f"{number:,} {noun}{'' if number == 1 else 's'}"
+
+
 def reason(problem: Exception) -> str:
     """Why a file could not be read, in words for its user."""
     if isinstance(problem, UnicodeDecodeError):

@@ -105,7 +105,7 @@ def test_two_measurements_of_one_speed_are_met_in_their_middle():
     assert [residual.fitted for residual in found.residuals] == pytest.approx([1.01, 1.01], abs=1e-6)
     assert found.chi_square == pytest.approx(2.0, rel=1e-6) and found.degrees_of_freedom == 1
     assert found.probability == pytest.approx(math.erfc(1.0), rel=1e-6)
-    assert "chi square 2 with 1 degrees of freedom, probability 0.16" in found.as_text()
+    assert "chi square 2 with 1 degree of freedom, probability 0.16" in found.as_text()
 
 
 def test_a_fit_ends_after_so_many_strides_and_says_so(monkeypatch):

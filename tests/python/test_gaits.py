@@ -283,7 +283,7 @@ def test_trouble_of_the_solver_is_not_called_a_fall():
     apex = [1.34, 0.95, 1.0, 0.93, 0.0, 0.2]
     for search, made in (
         (lambda: find_gait(stiff), "after 0 strides, 2 steps and 0 events"),
-        (lambda: find_gait(stiff, guess=apex), "after 0 strides, 1 steps and 0 events"),
+        (lambda: find_gait(stiff, guess=apex), "after 0 strides, 1 step and 0 events"),
         (lambda: stride_from(stiff, apex, FRICTION), ""),
     ):
         with pytest.raises(RunError, match=r"too stiff|no step") as trouble:

@@ -51,7 +51,7 @@ def test_a_dataset_that_is_not_whole_is_refused(gait):
         tdmf_slip.InputError, match=r"incomplete strides: .*'fate'.*; allowed: one with all its"
     ):
         tdmf_slip.plot(made.drop_vars("fate"))
-    with pytest.raises(tdmf_slip.InputError, match=r"strides over 1 dimensions; allowed: 2, see"):
+    with pytest.raises(tdmf_slip.InputError, match=r"strides over 1 dimension; allowed: 2, see"):
         tdmf_slip.plot(made.isel(stride=0))
     with pytest.raises(tdmf_slip.InputError, match="int cannot be drawn"):
         tdmf_slip.plot(3)
@@ -225,7 +225,7 @@ def test_a_validation_shows_each_value_beside_what_is_allowed():
     assert not plt.get_fignums()  # else a notebook shows it twice
     (axes,) = figure.axes
     assert sorted(line(axes, "as recorded: 3 values")[0]) == pytest.approx([1e-6, 1e-6, 1e-3])
-    assert line(axes, "differs: 1 values")[0] == pytest.approx([10.0])
+    assert line(axes, "differs: 1 value")[0] == pytest.approx([10.0])
     assert [text.get_text() for text in axes.get_yticklabels()] == ["0.6, clamp", "of no single gait"]
     assert "allowed" in axes.get_xlabel()
 

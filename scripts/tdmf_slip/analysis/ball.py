@@ -21,7 +21,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..checks import is_one_of, refusal
-from ..errors import InputError
+from ..errors import InputError, counted
 from ..library.batch import NEAR, Batch
 from ..library.gait import Gait, check_is_gait
 from ..library.laws import AffineLaw, Law, check_law, is_noisy, numbers_up_to
@@ -261,7 +261,8 @@ def ball_of(gait: Gait, choice: Ball | str, starts: int, law: Law | None = None)
     if isinstance(choice, Ball):
         if choice.matrix.shape != (len(gait.apex),) * 2:
             raise InputError(
-                f"ball: has {len(choice.matrix)} coordinates; allowed: {len(gait.apex)}, as the gait"
+                f"ball: has {counted(len(choice.matrix), 'coordinate')}; "
+                f"allowed: {len(gait.apex)}, as the gait"
             )
         return choice
     if not is_one_of(choice, CHOICES):

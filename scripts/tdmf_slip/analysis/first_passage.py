@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..checks import checked_whole, refusal
-from ..errors import InputError
+from ..errors import InputError, counted
 from ..library.batch import Batch
 from ..library.engine import FELL, UNDECIDED, UNSOLVED
 from ..library.gait import Gait, check_is_gait
@@ -94,7 +94,7 @@ class FirstPassage(Falls):
 
     def __repr__(self) -> str:
         """One line: the runner's gait, the mean with its interval, and how many runners fell."""
-        return f"{super().__repr__()[:-1]}, {self.falls:,} of {self.runners:,} runners fell>"
+        return f"{super().__repr__()[:-1]}, {self.falls:,} of {counted(self.runners, 'runner')} fell>"
 
     @property
     def censored(self) -> int:

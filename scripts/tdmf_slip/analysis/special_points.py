@@ -18,7 +18,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import InputError, RunError
+from ..errors import InputError, RunError, counted
 from ..library.gait import Gait
 from ..numerics.following import Point
 from ..numerics.newton import Matrix
@@ -190,7 +190,9 @@ def _account(before: Point, after: Point) -> str:
     words = f"{before.gait.word} becomes {after.gait.word}" if before.gait.word != after.gait.word else ""
     turns = "the branch turns" if FOLD in changes else ""
     passes = "an eigenvalue passes -1" if PERIOD_DOUBLING in changes else ""
-    counts = f"{before.gait.unstable} eigenvalues outside the unit circle become {after.gait.unstable}"
+    counts = (
+        f"{counted(before.gait.unstable, 'eigenvalue')} outside the unit circle become {after.gait.unstable}"
+    )
     return ", ".join(filter(None, (words, turns, passes, counts)))
 
 

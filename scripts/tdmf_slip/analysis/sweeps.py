@@ -160,7 +160,7 @@ def sweep(
     made.finish(found.gaits, {"borders": found.borders})
     words = found.gaits["word"]
     if not (words != "").any():
-        raise RunError(f"{found.gaits['problem'].values.flat[0]}; 0 of {words.size} gaits were found")
+        raise RunError(f"{found.gaits['problem'].values.flat[0]}; gaits found: 0 of {words.size}")
     return found
 
 

@@ -7,7 +7,7 @@ from typing import Any
 
 import click
 
-from ..errors import InputError
+from ..errors import InputError, counted
 from ..fmu.fmu import INTERFACES, Fmu, load_fmu
 from ..fmu.inputs import read_tables
 from ..fmu.run import WRITERS, Run, dataset_of, write_table
@@ -141,7 +141,7 @@ def _run_text(run: Run) -> str:
     stride = run.stride
     time = run.fall_time if run.fallen else run.table["time"][-1]
     end = f"{'fell at' if run.fallen else 'ran to'} t = {time:g} {run.label('s')}"
-    lines = [f"{end}, {stride['count']} strides, {len(run.events)} events"]
+    lines = [f"{end}, {counted(stride['count'], 'stride')}, {counted(len(run.events), 'event')}"]
     if stride["count"]:
         rows = {
             f"  {name}": value

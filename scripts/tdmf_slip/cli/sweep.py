@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..analysis.sweeps import Sweep, gaits_in, sweep
-from ..errors import InputError, RunError
+from ..errors import InputError, RunError, counted
 from ..files.whole import check_destination, whole
 from ..library.members import check_varied
 from ..library.runner import Runner
@@ -113,7 +113,7 @@ def sweep_command(
     failure = None
     if problem:
         words = found.gaits["word"].values
-        failure = RunError(f"{problem}; {np.count_nonzero(words != '')} of {words.size} gaits were found")
+        failure = RunError(f"{problem}; gaits found: {np.count_nonzero(words != '')} of {words.size}")
     text = json_text(plain()) if to_stdout else _text(found, display)
     return Answer(plain, text, lambda: found, {"display": display}, failure=failure)
 
@@ -187,9 +187,9 @@ def _grid(
     points, gaits = words.size, int(np.count_nonzero(words != ""))
     different = sorted({word for word in words if word})
     plain = {"file": str(output), "points": points, "gaits": gaits, "words": different}
-    text = f"{output}: {gaits} gaits at {points} points, words {', '.join(different)}"
+    text = f"{output}: {counted(gaits, 'gait')} at {counted(points, 'point')}, words {', '.join(different)}"
     problems = [problem for problem in found["problem"].values if problem]
-    failure = RunError(f"{problems[0]}; {gaits} of {points} gaits were found") if problems else None
+    failure = RunError(f"{problems[0]}; gaits found: {gaits} of {points}") if problems else None
     return Answer(runner.record(*vary) | plain, text, failure=failure)
 
 

@@ -24,7 +24,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..checks import check_kind, check_names, checked, number_of, refusal
-from ..errors import InputError
+from ..errors import InputError, counted
 from ..given import ends_given, numbers_of, row_of
 from ..library.gait import Gait
 from ..library.ground import LARGEST
@@ -368,8 +368,8 @@ def _not_movable(model: Linearization, eigenvalues: NDArray[Any]) -> InputError:
 def _checked_eigenvalues(given: object, reported: Controllability) -> NDArray[Any]:
     count = len(reported.eigenvalues)
     allowed = (
-        f"{count} numbers, one for each mode that lasts, which are {_listed(reported.eigenvalues)} "
-        "without feedback"
+        f"{counted(count, 'number')}, one for each mode that lasts, which are "
+        f"{_listed(reported.eigenvalues)} without feedback"
     )
     row = row_of(given, "eigenvalues", allowed, MAX_EIGENVALUES)
     numbers = [number_of(one) if not isinstance(one, complex) else one for one in row]

@@ -12,7 +12,7 @@ from typing import TypeAlias
 
 import numpy as np
 
-from ..errors import RunError
+from ..errors import RunError, counted
 from ..numerics.newton import Vector
 from .measurements import Measured
 from .problem import FIRST_STEP, MAX_STRIDES, Problem
@@ -112,7 +112,7 @@ def _notes(
     probability = probability_of(chi_square, request.degrees_of_freedom)
     if spent_strides:
         yield (
-            f"the search was ended after {spent_strides:,} strides ({MAX_STRIDES:,} are "
+            f"the search was ended after {counted(spent_strides, 'stride')} ({MAX_STRIDES:,} are "
             "allowed): its values are not the best ones; are the data in the units that their titles say?"
         )
     if not found.ended:

@@ -10,7 +10,7 @@ import numpy as np
 
 from ..analysis.search import periodic_gait
 from ..checks import check_names, checked_flag, checked_whole
-from ..errors import InputError, RunError
+from ..errors import InputError, RunError, counted
 from ..library.fixed_point import gait_near
 from ..library.gait import Gait
 from ..library.members import checked_names
@@ -47,10 +47,10 @@ def check_counts(request: Request) -> None:
         raise InputError("vary: nothing varies; allowed: one parameter or more, shared or for each row")
     if request.degrees_of_freedom < 0:
         measurements, each = request.measurements, len(request.each)
-        many = f" and {each} for each of {len(measurements.rows)} rows" if each else ""
+        many = f" and {each} for each of {counted(len(measurements.rows), 'row')}" if each else ""
         raise InputError(
-            f"vary: {len(request.parameters)} parameters ({len(request.shared)} shared{many}), but "
-            f"{measurements.where} has {measurements.count} measured; allowed: no more than are measured"
+            f"vary: {counted(len(request.parameters), 'parameter')} ({len(request.shared)} shared{many}), "
+            f"but {measurements.where} has {measurements.count} measured; allowed: no more than are measured"
         )
     if request.scale_errors and not request.degrees_of_freedom:
         raise InputError(

@@ -10,7 +10,7 @@ import numpy as np
 
 from ..analysis.targeted import MAXIMUM, MINIMUM
 from ..checks import check_names, near_matches, number_in, number_of, path_of, refusal, shown
-from ..errors import InputError, reason
+from ..errors import InputError, counted, reason
 from ..files.whole import cells_of
 from ..given import is_table, mapping_of, numbers_of, row_of
 from ..library.quantities import MEASURES, SIGNED, allowed_quantities, unit_of
@@ -130,7 +130,8 @@ def measurements_of(
     for number, row in enumerate(rows, start=1):
         if len(row) != len(titles):
             raise InputError(
-                f"{where}, row {number}: {len(row)} cells under {len(titles)} columns; allowed: as many"
+                f"{where}, row {number}: {counted(len(row), 'cell')} under "
+                f"{counted(len(titles), 'column')}; allowed: as many"
             )
     for name, of in errors.items():
         if name not in factors or f"{name}{ERROR}" in factors:

@@ -16,7 +16,7 @@ import fmpy
 from fmpy.model_description import ModelDescription, ModelVariable
 
 from ..checks import is_one_of, number_of, path_of, refusal, shown
-from ..errors import InputError, RunError, reason
+from ..errors import InputError, RunError, counted, reason
 from ..variables.table import Variables
 from ..variables.variable import Value, Variable
 
@@ -95,7 +95,7 @@ class Fmu:
     def __repr__(self) -> str:
         """Version, standard and file of the FMU."""
         made = f"{self.description.modelName} by FMI {self.description.fmiVersion}"
-        return f"<Fmu {made}: {len(self.variables)} variables, {self.path}>"
+        return f"<Fmu {made}: {counted(len(self.variables), 'variable')}, {self.path}>"
 
     @property
     def folder(self) -> str:

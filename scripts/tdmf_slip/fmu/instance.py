@@ -25,7 +25,7 @@ from fmpy.fmi1 import FMICallException
 from fmpy.fmi2 import fmi2CallbackFunctions, fmi2CallbackLoggerTYPE
 from numpy.typing import NDArray
 
-from ..errors import InputError, RunError, TdmfSlipError, reason
+from ..errors import InputError, RunError, TdmfSlipError, counted, reason
 from ..uninterrupted import stop_flag, uninterrupted
 from ..variables.variable import Value
 from .fmu import Fmu
@@ -156,8 +156,8 @@ class Experiment:
     def too_many_rows(self, time: float) -> RunError:
         """The error where the most rows have been recorded by a time."""
         return RunError(
-            f"{self.max_rows:,} rows of {1 + len(self.variables)} columns by t = {time:g} s; allowed: no "
-            "more; record fewer variables, or with a longer output interval"
+            f"{self.max_rows:,} rows of {counted(1 + len(self.variables), 'column')} by t = {time:g} s; "
+            "allowed: no more; record fewer variables, or with a longer output interval"
         )
 
 

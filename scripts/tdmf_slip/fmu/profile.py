@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..checks import checked, checked_whole
-from ..errors import InputError
+from ..errors import InputError, counted
 from ..given import numbers_of
 
 MAX_LINES = 10**7
@@ -69,7 +69,7 @@ class Profile:
     def __repr__(self) -> str:
         """The number of points, with the ranges of their positions and heights."""
         at, high = (f"{np.min(row):g} to {np.max(row):g} m" for row in (self.x, self.y))
-        return f"<Profile of {len(self.x)} points: positions {at}, heights {high}>"
+        return f"<Profile of {counted(len(self.x), 'point')}: positions {at}, heights {high}>"
 
     @classmethod
     def steps(cls, edges: ArrayLike, heights: ArrayLike) -> Profile:

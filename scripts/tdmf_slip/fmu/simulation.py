@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..checks import check_kind, checked, checked_flag, checked_whole, reading
-from ..errors import InputError, RunError
+from ..errors import InputError, RunError, counted
 from ..record import in_dataset
 from ..terminal.progress import progress_bar
 from ..variables import paper_units
@@ -197,7 +197,7 @@ def simulate(
         run = _result(instance, experiment, table, recorded, not record_events, own.name)
     if strides is not None and stop_time is None and not run.fallen and run.strides < strides:
         raise RunError(
-            f"only {run.strides} of {strides} strides closed within {experiment.stop_time:g} s, "
+            f"only {run.strides} of {counted(strides, 'stride')} closed within {experiment.stop_time:g} s, "
             "and the runner did not fall; give a stop time to see what it does"
         )
     return run
@@ -264,8 +264,9 @@ def _check_rows(experiment: Experiment, duration: float) -> None:
     if duration / interval > experiment.max_rows:
         raise InputError(
             f"output_interval = {interval:g}: {duration / interval:,.0f} rows up to {duration:g} s; "
-            f"allowed: {experiment.max_rows:,} rows of {1 + len(experiment.variables)} columns, which an "
-            f"interval of {duration / experiment.max_rows:.3g} gives; of fewer variables more"
+            f"allowed: {experiment.max_rows:,} rows of "
+            f"{counted(1 + len(experiment.variables), 'column')}, which "
+            f"an interval of {duration / experiment.max_rows:.3g} gives; of fewer variables more"
         )
 
 

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..checks import check_kind, check_size, checked_between, checked_threads, checked_whole, is_one_of, shown
-from ..errors import InputError
+from ..errors import InputError, counted
 from ..given import is_series, numbers_by, row_of
 from ..variables.parameters import RunnerLike
 from ..variables.table import Model, by_full_name, model_of
@@ -141,7 +141,7 @@ class Given:
             first = next(iter(self.varied))
             if len(self.varied[name]) != len(self.varied[first]):
                 raise InputError(
-                    f"runner: {name} of {len(self.varied[name])} runners, {first} of "
+                    f"runner: {name} of {counted(len(self.varied[name]), 'runner')}, {first} of "
                     f"{len(self.varied[first])}; allowed: as many of each"
                 )
 
@@ -174,7 +174,8 @@ class Given:
             if number not in (1, count):
                 most = max(counts, key=lambda name: counts[name])
                 raise InputError(
-                    f"{what} of {number} runners, {most} of {count}; allowed: as many, or one for all"
+                    f"{what} of {counted(number, 'runner')}, {most} of {count}; "
+                    "allowed: as many, or one for all"
                 )
         self.is_single = rows.ndim == 1 and count == 1
         self.starts = np.zeros((count, WIDTH))

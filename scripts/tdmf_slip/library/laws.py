@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..checks import checked_whole, refusal, shown
-from ..errors import InputError
+from ..errors import InputError, counted
 from ..given import numbers_of, row_of
 from ..record import without_record
 from ..variables.table import MODELS, Model, by_full_name, full_names, model_named
@@ -200,7 +200,7 @@ class AffineLaw:
         fits = self.model.names == runner.model.names
         if not fits or len(self.apex) != len(runner.coordinates):
             raise InputError(
-                f"law: of {len(self.apex)} coordinates; allowed, as the runner has: "
+                f"law: of {counted(len(self.apex), 'coordinate')}; allowed, as the runner has: "
                 f"{', '.join(runner.coordinates)}"
             )
         for name in self.inputs:

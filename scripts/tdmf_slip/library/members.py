@@ -6,7 +6,7 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from ..checks import check_names, check_once, refusal
-from ..errors import GaitNotFoundError, InputError
+from ..errors import GaitNotFoundError, InputError, counted
 from ..given import row_of
 from ..variables.table import FRICTION, MODELS, Model, by_full_name, full_names
 from .binding import ffi
@@ -74,7 +74,7 @@ def pairs_varied(
     """Both ends of a range as they are given, by the names of what varies; `counts` are numbers of names."""
     given = by_full_name(vary, "vary", allowed, model.aliases)
     if len(given) not in counts:
-        raise InputError(f"vary: {len(given)} names; allowed: {allowed}")
+        raise InputError(f"vary: {counted(len(given), 'name')}; allowed: {allowed}")
     pairs = {}
     for name, ends in given.items():
         check_varied(name, "vary", model)

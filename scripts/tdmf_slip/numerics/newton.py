@@ -12,7 +12,7 @@ from typing import Any, Protocol, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import InputError, RunError
+from ..errors import InputError, RunError, counted
 
 KEPT = 0.1
 """A Jacobian is kept as long as each step leaves at most this share of the residual."""
@@ -56,7 +56,8 @@ class NotSolvedError(RunError):
     def __init__(self, last: Iterate) -> None:
         """Error with the last iterate."""
         super().__init__(
-            f"Newton's method stopped after {last.iterations} iterations with a residual of {last.error:.2g}"
+            f"Newton's method stopped after {counted(last.iterations, 'iteration')} "
+            f"with a residual of {last.error:.2g}"
         )
         self.last = last
 

@@ -3,6 +3,7 @@
 import numpy as np
 from matplotlib.figure import Figure
 
+from ..errors import counted
 from ..pictures import style
 from .reference_gaits import Drift
 from .validation import Validation
@@ -25,7 +26,7 @@ def of_validation(found: Validation) -> Figure:
         (~passed, "differs", style.MODE_COLOURS["slip_negative"]),
     ):
         if where.any():
-            label = f"{name}: {np.sum(where)} values"
+            label = f"{name}: {counted(np.sum(where), 'value')}"
             axes.plot(shares[where], rows[where], "o", color=colour, alpha=0.5, label=label)
     axes.axvline(1.0, label="allowed", **style.LIMIT_LINE)
     axes.set_xscale("log")

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import pandas
 
+from ..errors import counted
 from .along import words_over
 from .claims import WORDS, Claim, Finding, both_readings
 from .evidence import LEAST_FRICTION, LEG_ANGLE, SLIP_ANGLE, ClassicEvidence, Evidence, touchdown_angle
@@ -100,7 +101,7 @@ def _printed_torque(evidence: Evidence) -> Finding:
 @statement("4", "slip before lift-off", "in every gait")
 def _slips_last(evidence: Evidence) -> Finding:
     slips = evidence.gaits["word"].str[-1].isin(["+", "-"])
-    return Finding(f"in {slips.sum()} of {len(slips)} gaits", bool(slips.all()))
+    return Finding(f"in {slips.sum()} of {counted(len(slips), 'gait')}", bool(slips.all()))
 
 
 @statement("4", "trajectories", "quite similar to the SLIP's")
@@ -148,7 +149,7 @@ def _leg_at_touchdown(evidence: Evidence) -> Finding:
 @statement("5.1", "gaits below mu = 0.1", "none obtained", beyond=True)
 def _low_gaits(evidence: Evidence) -> Finding:
     strides = evidence.settling
-    how = "does not settle" if strides is None else f"settles in {strides} strides"
+    how = "does not settle" if strides is None else f"settles in {counted(strides, 'stride')}"
     return Finding(f"down to mu = {LEAST_FRICTION:g}; simulation {how}", False)
 
 
@@ -183,7 +184,7 @@ def _low_eigenvalues(evidence: Evidence) -> Finding:
 @statement("5.2", "mu < 0.3, one coordinate of the apex off by 0.2 or less", "second impact after lift-off")
 def _second_impacts(evidence: Evidence) -> Finding:
     count = evidence.further_touchdowns
-    return Finding(f"{count or 'none'} in {evidence.perturbed:,} strides", count > 0)
+    return Finding(f"{count or 'none'} in {counted(evidence.perturbed, 'stride')}", count > 0)
 
 
 def _per_cent(evidence: Evidence, name: str) -> pandas.Series:

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from ..checks import checked
-from ..errors import RunError
+from ..errors import RunError, counted
 from ..fmu.fmu import Fmu, load_fmu
 from ..fmu.run import Run
 from ..fmu.simulation import TOLERANCES, run_unit, time_unit
@@ -82,7 +82,9 @@ def settle_fmu(
         run = run_unit(starts, strides=strides, variables=recorded, fmu=fmu, **how)
         if run.fallen:
             count = run.stride["count"]
-            raise RunError(f"no gait at friction {runner[FRICTION]:g}: the runner fell after {count} strides")
+            raise RunError(
+                f"no gait at friction {runner[FRICTION]:g}: the runner fell after {counted(count, 'stride')}"
+            )
         change, obstacle = _obstacle(run, runner, 1000.0 * tolerance)
         if not obstacle:
             apex = tuple(run.apex[name] for name in COORDINATES)

@@ -18,6 +18,7 @@ from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 
 from ..analysis.basin import FOLLOWED, STRIDES
+from ..errors import counted
 from ..library.batch_tables import CLOSED
 from ..library.engine import FATES, SETTLED
 from ..library.runner import Runner
@@ -176,7 +177,9 @@ def of_strides(made: "xarray.Dataset") -> Figure:
         figure.legend(*panels[0].get_legend_handles_labels(), loc="outside lower center", ncols=2)
     runners, strides = made["fate"].shape
     closed = int((made["fate"] == CLOSED).sum())
-    panels[0].set_title(f"{runners:,} runners, {closed:,} of {runners * strides:,} strides closed")
+    panels[0].set_title(
+        f"{counted(runners, 'runner')}, {closed:,} of {counted(runners * strides, 'stride')} closed"
+    )
     return figure
 
 
@@ -213,7 +216,7 @@ def of_runs(runs: "xarray.Dataset") -> Figure:
     unit = paper_units.label(VARIABLES[name].unit, values) if name and numeric else ""
     panels[-1].set_xlabel(style.with_unit(name, unit) if name and numeric else "run")
     figure.legend(*panels[0].get_legend_handles_labels(), loc="outside lower center", ncols=2)
-    panels[0].set_title(f"last stride of {len(along):,} runs")
+    panels[0].set_title(f"last stride of {counted(len(along), 'run')}")
     return figure
 
 

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from ..analysis.special_points import FOLD, NEIMARK_SACKER, PERIOD_DOUBLING, UNCLASSIFIED, WORD_BORDER
 from ..checks import check_names, is_one_of
+from ..errors import counted
 from ..library.gait import first_runner_in
 from ..library.quantities import QUANTITIES
 from ..library.section import COORDINATES
@@ -106,7 +107,7 @@ def _draw(axes: Axes, branch: xarray.Dataset, quantity: str) -> None:
         numbers = [number for number, _ in run]
         part = slice(numbers[0], numbers[-1] + 2)
         kind = "stable" if stable else "unstable"
-        label = f"{kind}, {strides} stride{'s' if strides > 1 else ''}"
+        label = f"{kind}, {counted(strides, 'stride')}"
         look: dict[str, Any] = {"linestyle": "-" if stable else (0, (4, 2)), "linewidth": 1.6}
         for number, column in enumerate(y[line][part].T):
             label = label if number == 0 else "_"

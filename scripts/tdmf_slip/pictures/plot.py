@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 from matplotlib.figure import Figure
 
 from ..checks import is_one_of, shown
-from ..errors import InputError
+from ..errors import InputError, counted
 from . import style
 
 
@@ -141,7 +141,8 @@ def _of_dataset(data: Any, kind: str, draw: Callable[[Any], Figure]) -> Figure:
             f"plot: incomplete {kind}: {problem.args[0]}; allowed: one with all its variables"
         ) from None
     raise InputError(
-        f"plot: {kind} over {count} dimensions; allowed: {' or '.join(map(str, dimensions))}, see Dataset.sel"
+        f"plot: {kind} over {counted(count, 'dimension')}; "
+        f"allowed: {' or '.join(map(str, dimensions))}, see Dataset.sel"
     )
 
 

@@ -13,7 +13,7 @@ from matplotlib.figure import Figure
 from ..analysis.attraction import CONFIDENCE
 from ..analysis.first_passage import FirstPassage
 from ..analysis.rare_falls import RareFalls
-from ..errors import InputError
+from ..errors import InputError, counted
 from ..library.gait import first_runner_in
 from ..library.quantities import QUANTITIES, known_quantities, quantities_of, unit_of
 from ..library.runner import Runner
@@ -50,7 +50,7 @@ def of_falls(found: FirstPassage | RareFalls) -> Figure:
     axes.set_ylim(0.0, 1.02)
     style.label(axes, "strides begun", "probability of not having fallen")
     axes.set_title(
-        f"gait {style.word(found.word)} on steps of {found.roughness:.4g} m, {found.falls:,} falls"
+        f"gait {style.word(found.word)} on steps of {found.roughness:.4g} m, {counted(found.falls, 'fall')}"
     )
     figure.legend(*axes.get_legend_handles_labels(), loc="outside lower center", ncols=2)
     return figure

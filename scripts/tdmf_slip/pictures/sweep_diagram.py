@@ -12,7 +12,7 @@ from matplotlib.ticker import LogLocator, StrMethodFormatter
 from numpy.typing import NDArray
 
 from ..analysis.sweeps import Sweep
-from ..errors import InputError
+from ..errors import InputError, counted
 from ..record import runner_in
 from ..variables.display_units import DisplayUnits
 from ..variables.table import model_recorded
@@ -111,5 +111,5 @@ def _map(gaits: "xarray.Dataset", display: DisplayUnits) -> Figure:
     for axes in panels:
         axes.set_xlabel(style.mark_in_display_unit(axes.xaxis, horizontal, display))
     panels[0].set_ylabel(style.mark_in_display_unit(panels[0].yaxis, vertical, display))
-    panels[0].set_title(f"{speeds.count():,} of {words.size:,} gaits")
+    panels[0].set_title(f"{speeds.count():,} of {counted(words.size, 'gait')}")
     return figure

@@ -7,6 +7,7 @@ from fractions import Fraction
 
 from flint import arb, ctx
 
+from ..errors import counted
 from .given import ball_of
 from .proof import Proved, decimal, reported
 
@@ -124,13 +125,14 @@ class RangeProof(Proved):
         of = reported(self.values, self.name)
         if not self.proved:
             share = float(sum(b - a for a, b in self.left) / (self.end - self.begin))
-            return f"Undecided for the {of}: {share:.3g} of {span} is left, in {len(self.left)} subintervals."
+            left = counted(len(self.left), "subinterval")
+            return f"Undecided for the {of}: {share:.3g} of {span} is left, in {left}."
         words = f"the word {self.words[0]}" if len(self.words) == 1 else f"the words {', '.join(self.words)}"
         kind = {True: "; all are stable", False: "; all are unstable", None: self._judgement()}[self.stable]
         joined = " and form one branch" if self.is_one_branch else ""
         return (
-            f"The range is divided into {len(self.subintervals)} subintervals, each with a box of apices. "
-            f"For each {span}, the {of} has exactly one gait in the box. "
+            f"The range is divided into {counted(len(self.subintervals), 'subinterval')}, each with "
+            f"a box of apices. For each {span}, the {of} has exactly one gait in the box. "
             f"These gaits have {words}{joined}{kind}."
         )
 

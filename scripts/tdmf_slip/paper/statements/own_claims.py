@@ -10,6 +10,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import astuple, dataclass
 from typing import Any
 
+from ...errors import counted
 from ...terminal.progress import progress_bar
 from ...terminal.text import table
 from . import gaits, regions, rough_ground
@@ -81,7 +82,7 @@ def text_of(claims: Sequence[Recomputed], program: str) -> str:
     if not claims:
         return ""
     count, seed = sum(one.holds for one in claims), claims[0].seed
-    held = f"{count} of {len(claims)} claims of this project hold at seed {seed}."
+    held = f"{count} of {counted(len(claims), 'claim')} of this project hold at seed {seed}."
     return "\n\n".join([held, *(one.as_text(number, program) for number, one in enumerate(claims, start=1))])
 
 
