@@ -18,8 +18,8 @@ from .errors import InputError
 
 LONGEST_NAME = 100
 """Longest text that is searched for among names; no name is as long, and the search takes its square."""
-MAX_LISTED = 20
-"""Largest number of allowed names that a message lists beside near matches."""
+MAX_LISTED, FEW = 8, 3
+"""Largest number of allowed names that a message lists whole, and how many it names of a longer list."""
 LONGEST_PATH = 4096
 SECOND = np.timedelta64(1, "s")
 _REPR = reprlib.Repr()
@@ -168,15 +168,28 @@ def near_matches(name: object, names: Iterable[str]) -> str:
     return f"; near matches: {', '.join(near)}" if near else ""
 
 
+def choice_of(names: Sequence[str], listed_by: str = "") -> str:
+    """Allowed names in a message: all of a short list; of a long one a few, and the command that lists it."""
+    if len(names) <= MAX_LISTED:
+        return ", ".join(names)
+    where = f", listed by `{listed_by}`" if listed_by else ""
+    return f"{', '.join(names[:FEW])} and {len(names) - FEW} more{where}"
+
+
 def check_names(
-    given: Iterable[object], known: Sequence[str], what: str, also: Iterable[str] = (), allowed: str = ""
+    given: Iterable[object],
+    known: Sequence[str],
+    what: str,
+    also: Iterable[str] = (),
+    allowed: str = "",
+    listed_by: str = "",
 ) -> None:
-    """Refuse unknown names. The message lists near matches; they replace a long list of allowed names."""
+    """Refuse unknown names. The message has near matches; they replace a long list of allowed names."""
     for name in given:
         if not is_one_of(name, known):
             near = near_matches(name, (*known, *also))
             is_listed = not near or len(known) <= MAX_LISTED
-            choice = allowed or (", ".join(known) if is_listed else "")
+            choice = allowed or (choice_of(known, listed_by) if is_listed else "")
             hint = f"; allowed: {choice}" if choice else ""
             raise InputError(f"{what}: {shown(name)} is not allowed{hint}{near}")
 

@@ -349,7 +349,7 @@ REFUSED = [
         for make in (dead_beat, lqr, controllability)
         for given, says in (
             ([THRUST], "leg.thrust cannot be lowered at this gait, whose thrust is 0 m"),
-            (["leg.stiffness"], "'leg.stiffness' is not allowed; allowed: hip.stance_torque, hip.touch"),
+            (["leg.stiffness"], "'leg.stiffness' is not allowed; near matches: "),
             (["hip.touchdown"], "near matches: hip.touchdown_angle"),
             ([ANGLE, ANGLE], "hip.touchdown_angle is given twice"),
             ([], "one or more in a list"),

@@ -78,6 +78,16 @@ def test_a_wrong_name_has_the_nearest_beside_it(call, meant):
     assert meant in str(caught.value).partition("near matches: ")[2].split(", ")
 
 
+def test_a_wrong_name_that_is_near_none_brings_a_few_and_the_command_that_lists_all():
+    few = (
+        r"target: 'zzzz' is not allowed; allowed: speed, frequency, length and 18 more, listed by `tdmf-slip"
+    )
+    with pytest.raises(InputError, match=few):
+        find_gait(target={"zzzz": 1.0}, vary=["torque"])
+    with pytest.raises(InputError, match="and 11 more, listed by `tdmf-slip variables`"):
+        tdmf_slip.lqr(find_gait(), ["zzzz"])
+
+
 def test_a_variable_is_not_given_by_both_names(command):
     with pytest.raises(InputError, match=r"ground\.friction and friction are the same"):
         find_gait({"friction": 0.4, "ground.friction": 0.4})

@@ -16,7 +16,7 @@ from ..errors import InputError
 from ..given import row_of
 from ..library.gait import Gait, gaits_dataset
 from ..library.members import checked_names
-from ..library.quantities import allowed_quantities, check_quantities, checked_quantity, quantities_of
+from ..library.quantities import check_quantities, checked_quantity, choice_of_quantities, quantities_of
 from ..library.runner import Runner
 from ..library.shared_steps import shares_steps
 from ..terminal.progress import progress_bar
@@ -118,7 +118,7 @@ def compare(
 def _checked_hold(hold: object, model: Model) -> tuple[str, ...]:
     names = tuple(row_of(hold, "hold", "a list of names of quantities"))
     if not names:
-        raise InputError(f"hold: nothing is held; allowed: {', '.join(allowed_quantities(model))}")
+        raise InputError(f"hold: nothing is held; allowed: {choice_of_quantities(model)}")
     for name in names:
         checked_quantity(name, "hold", model)
     check_once(names, "hold")

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import GaitNotFoundError, InputError, RunError
+from ..errors import GaitNotFoundError, InputError, RunError, counted
 from ..library.batch import Batch
 from ..library.engine import UNSOLVED
 from ..library.fixed_point import Closing, gait_near, settled_gait
@@ -83,11 +83,11 @@ class Spread:
 
     def __str__(self) -> str:
         """A description of the starts that were tried."""
-        made = f"{self.strides:,} strides"
+        made = counted(self.strides, "stride")
         if self.given_up:
             made += (
-                f" in {self.steps:,} steps with {self.events:,} events; {self.given_up:,} more strides were "
-                "given up, most of them because they take too many steps"
+                f" in {counted(self.steps, 'step')} with {counted(self.events, 'event')}; "
+                f"{self.given_up:,} more strides were given up, most of them because they take too many steps"
             )
         return f"{self.starts:,} random starts ({made})"
 

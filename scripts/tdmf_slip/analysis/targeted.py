@@ -18,6 +18,7 @@ from ..library.quantities import (
     allowed_quantities,
     check_quantities,
     checked_quantity,
+    choice_of_quantities,
     quantities_of,
     quantity_given,
 )
@@ -153,7 +154,7 @@ def find_gait(
         return periodic_gait(runner, guess, model=model)
     wanted = checked_target(target, model_of(runner, model))
     if not wanted:
-        known = ", ".join(allowed_quantities(model_of(runner, model)))
+        known = choice_of_quantities(model_of(runner, model))
         raise InputError(f"target: nothing is prescribed; allowed: {known}")
     starting = Runner(runner, model=model)
     names = _checked_vary(vary, wanted, starting.model)
@@ -216,7 +217,7 @@ def _met(target: GaitProblem, iterate: Iterate) -> Gait:
 
 def checked_target(target: object, model: Model, from_zero: Sequence[str] = ()) -> dict[str, float]:
     """Prescribed values by the names of their quantities; those in `from_zero` may be zero."""
-    given = mapping_of(target, "target", f"numbers by name: {', '.join(allowed_quantities(model))}")
+    given = mapping_of(target, "target", f"numbers by name: {choice_of_quantities(model)}")
     for name in given:
         checked_quantity(name, "target", model)
     if all(name in given for name in TRAVEL):

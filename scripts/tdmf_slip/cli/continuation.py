@@ -11,7 +11,7 @@ from ..analysis.branches import LARGEST_STEP, MAX_POINTS, SHORTEST_STEP, continu
 from ..analysis.curves import continue_curves
 from ..analysis.sweeps import gaits_in
 from ..checks import check_names
-from ..errors import InputError
+from ..errors import InputError, counted
 from ..library.quantities import reported_quantities
 from ..library.runner import Runner
 from ..record import parts_of
@@ -107,7 +107,7 @@ def _curves(
         ends = {"began": began, "ended": ended}
         curves.append({"over": list(spans), "kind": kind, **words, "points": points.tolist(), **ends})
         named = " ".join(filter(None, (kind, " to ".join(words.values()))))
-        lines.append(f"{named}: {len(points)} points ({began}; {ended})")
+        lines.append(f"{named}: {counted(len(points), 'point')} ({began}; {ended})")
         points *= [display.factor(name) for name in spans]
         lines.append(table(header, [[f"{value:.10g}" for value in point] for point in points]))
     plain = {**runner.record(*spans), "over": list(spans), "curves": curves}
@@ -176,7 +176,7 @@ def _branch_text(branch: "xarray.Dataset", display: DisplayUnits) -> str:
     first, last = (display.value(name, value) for value in branch[name].values[gaits[[0, -1]]])
     began, ended = branch["branch_began"].item(), branch["branch_ended"].item()
     line = (
-        f"{len(gaits)} gaits of {strides} stride{'s' if strides > 1 else ''}, {stable} of them stable, "
+        f"{counted(len(gaits), 'gait')} of {counted(strides, 'stride')}, {stable} of them stable, "
         f"over {headed(name, display.unit(name))} from {first:.8g} ({began}) to {last:.8g} ({ended})"
     )
     return "\n".join([line, table(header, rows) if rows else "no special points"])

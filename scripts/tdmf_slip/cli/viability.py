@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from ..analysis.targeted import find_gait
-from ..errors import InputError
+from ..errors import InputError, counted
 from ..files.whole import whole
 from ..library.batch_tables import CLOSED
 from ..library.runner import Runner
@@ -155,7 +155,7 @@ def _text(result: Mapping[str, Any]) -> str:
         reached, drop = result["reached"], result["largest_drop"]
         rows |= {
             "leads to the gait": f"{100 * reached['inner_share']:.2f} to {100 * reached['outer_share']:.2f} "
-            f"% of the cells, in at most {reached['inner_strides']} strides in the inner set",
+            f"% of the cells, in at most {counted(reached['inner_strides'], 'stride')} in the inner set",
             "largest drop": " to ".join("none" if m is None else f"{m:.3g} m" for m in drop.values()),
         }
     return columns(rows)

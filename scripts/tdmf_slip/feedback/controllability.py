@@ -24,7 +24,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..checks import check_names, check_once, number_of, refusal
+from ..checks import check_names, check_once, choice_of, number_of, refusal
 from ..errors import InputError
 from ..library.gait import Gait, check_is_gait
 from ..library.runner import Runner
@@ -106,11 +106,11 @@ def linearize(gait: Gait, inputs: Sequence[str]) -> Linearization:
 
 def _checked_names(given: object, model: Model) -> tuple[str, ...]:
     chosen = tuple(name for name in model.settings if not name.startswith("ground."))
-    allowed = f"one or more in a list: {', '.join(chosen)}"
+    allowed = f"one or more in a list: {choice_of(chosen, 'tdmf-slip variables')}"
     names = full_names(given, "inputs", allowed, model.aliases)
     if not names:
         raise refusal("inputs", given, allowed)
-    check_names(names, chosen, "inputs", model.aliases)
+    check_names(names, chosen, "inputs", model.aliases, listed_by="tdmf-slip variables")
     check_once(names, "inputs")
     return names
 

@@ -9,7 +9,7 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from ..analysis.targeted import MAXIMUM, MINIMUM
-from ..checks import check_names, near_matches, number_in, number_of, path_of, refusal, shown
+from ..checks import check_names, choice_of, near_matches, number_in, number_of, path_of, refusal, shown
 from ..errors import InputError, counted, reason
 from ..files.whole import cells_of
 from ..given import is_table, mapping_of, numbers_of, row_of
@@ -198,7 +198,7 @@ def _factor(title: str, where: str, units: Units, model: Model) -> tuple[str, fl
     if quantity not in measurable(model):
         known, usual = SYNONYMS.get(quantity), measurable(model) if model.is_page else USUAL
         hint = f"; near matches: {known}" if known in usual else near_matches(quantity, usual)
-        others = "" if model.is_page else f", or another of {', '.join(MEASURES)}"
+        others = "" if model.is_page else f", or another of {choice_of(MEASURES, 'tdmf-slip gait --help')}"
         raise InputError(
             f"{where}: column {shown(title)} is unknown; allowed: {', '.join(usual)}{others}, each with "
             f"{ERROR} as well{hint}"

@@ -15,7 +15,7 @@ from statistics import NormalDist
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import InputError
+from ..errors import InputError, counted
 from ..library.gait import Gait
 from ..library.quantities import unit_of
 from ..library.runner import Runner
@@ -377,8 +377,8 @@ class Fit:
         """Quality of the fit, combinations that are not identified, and the notes."""
         chance = "" if np.isnan(self.probability) else f", probability {self.probability:.2g}"
         return [
-            f"chi square {self.chi_square:.6g} with {self.degrees_of_freedom} degrees of freedom{chance}; "
-            f"words {', '.join(dict.fromkeys(self.words))}",
+            f"chi square {self.chi_square:.6g} with {counted(self.degrees_of_freedom, 'degree')} of freedom"
+            f"{chance}; words {', '.join(dict.fromkeys(self.words))}",
             *(reported_of(combination) for combination in self.unidentified),
             *self.notes,
         ]

@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import GaitNotFoundError, RunError
+from ..errors import GaitNotFoundError, RunError, counted
 from ..numerics.newton import NotSolvedError, solve
 from .binding import c
 from .gait import Gait
@@ -93,8 +93,8 @@ class Closing:
             found = solve(self, apex / self.scales, jacobian=jacobian)
         except NotSolvedError as problem:
             raise self._not_found(
-                f"Newton's method stopped after {problem.last.iterations} iterations with the next apex "
-                f"{problem.last.error:.2g} of its scales away"
+                f"Newton's method stopped after {counted(problem.last.iterations, 'iteration')} with the "
+                f"next apex {problem.last.error:.2g} of its scales away"
             ) from None
         except RunError as problem:
             raise self._not_found(f"from the apex that was tried, {problem}") from None
@@ -142,8 +142,8 @@ class Closing:
             return GaitNotFoundError(f"no gait{kind}{at}: {why}")
         strides, steps, events = search_under_way().done()
         return GaitNotFoundError(
-            f"the search for a gait{at} was given up: {self.unsolved}, after {strides:,} strides, "
-            f"{steps:,} steps and {events:,} events"
+            f"the search for a gait{at} was given up: {self.unsolved}, after {counted(strides, 'stride')}, "
+            f"{counted(steps, 'step')} and {counted(events, 'event')}"
         )
 
 

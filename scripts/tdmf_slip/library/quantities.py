@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..checks import check_names, shown
+from ..checks import check_names, choice_of, shown
 from ..errors import InputError
 from ..variables import units
 from ..variables.table import MODELS, Model
@@ -153,9 +153,18 @@ def allowed_quantities(model: Model) -> tuple[str, ...]:
     return own if model.is_page else QUANTITIES
 
 
+def choice_of_quantities(model: Model) -> str:
+    """The quantities that may be prescribed, minimized or maximized, in a message."""
+    return choice_of(allowed_quantities(model), _listed_by(model))
+
+
+def _listed_by(model: Model) -> str:
+    return "" if model.is_page else "tdmf-slip gait --help"
+
+
 def checked_quantity(name: object, what: str, model: Model) -> str:
     """The name of a quantity."""
-    check_names([name], allowed_quantities(model), what)
+    check_names([name], allowed_quantities(model), what, listed_by=_listed_by(model))
     return str(name)
 
 
@@ -165,7 +174,9 @@ def check_quantities(runner: Runner, names: Sequence[str]) -> None:
     for name in names:
         if name not in known:
             whose = f"model {runner.model.name}" if runner.model.is_page else "reduced map"
-            raise InputError(f"the {whose} has no quantity {name}; allowed: {', '.join(known)}")
+            raise InputError(
+                f"the {whose} has no quantity {name}; allowed: {choice_of(known, _listed_by(runner.model))}"
+            )
 
 
 def scales_of(runner: Runner, parameters: Sequence[str]) -> NDArray[np.float64]:

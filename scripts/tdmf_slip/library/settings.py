@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from ..checks import is_one_of, near_matches, shown
+from ..checks import choice_of, is_one_of, near_matches, shown
 from ..errors import InputError
 from ..variables.table import MODELS, Model
 from .binding import c
@@ -37,7 +37,10 @@ def setting_number(name: object, what: str, model: Model = MODELS["full"]) -> in
             if isinstance(model, PageModel)
             else int(c.tdmf_setting_of(name.encode()))
         )
-    allowed = ", ".join(known) or "none; a page declares settings, and parameters that are tunable"
+    allowed = (
+        choice_of(known, "tdmf-slip variables")
+        or "none; a page declares settings, and parameters that are tunable"
+    )
     if is_one_of(name, model.varied):
         raise InputError(f"{what}: {name} cannot change in a run; allowed: {allowed}")
     near = near_matches(name, (*known, *model.aliases))

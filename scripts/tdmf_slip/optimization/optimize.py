@@ -15,7 +15,7 @@ from ..errors import InputError
 from ..given import row_of
 from ..library.gait import gaits_dataset
 from ..library.members import ranges_varied
-from ..library.quantities import allowed_quantities, checked_quantity
+from ..library.quantities import checked_quantity, choice_of_quantities
 from ..library.runner import Runner
 from ..library.shared_steps import shares_steps
 from ..record import in_dataset
@@ -128,7 +128,7 @@ def checked_objectives(
         allowed = "one quantity" if count == 1 else "two quantities that differ"
         raise InputError(
             f"minimize, maximize: {', '.join(map(str, given)) or 'nothing'} given; allowed: {allowed}, of "
-            f"{', '.join(allowed_quantities(model))}"
+            f"{choice_of_quantities(model)}"
         )
     return signs
 
