@@ -161,7 +161,7 @@ FMI_TEST(bytes_that_are_no_state_are_refused) {
     for (size_t i = 0; i < COUNT_OF(wrong); ++i) {
         serialized bad = good;
         bad.size = wrong[i];
-        assert_state_refused(fmi, &bad, "bytes are no state");
+        assert_state_refused(fmi, &bad, "a state of this unit has");
     }
     serialized changed = good, of_other_version = good, empty = {.size = good.size};
     changed.bytes[good.size - 9] ^= 1;
