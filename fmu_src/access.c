@@ -19,8 +19,12 @@ static const size_t places[STORAGE_COUNT] = {
     [STORED_GUARD] = offsetof(instance, view.guards),
 };
 
-double *place_of(const instance *fmu, fmu_storage storage, size_t offset) {
-    return (double *)((size_t)fmu + places[storage]) + offset;
+const double *place_of(const instance *fmu, fmu_storage storage, size_t offset) {
+    return (const double *)((const char *)fmu + places[storage]) + offset;
+}
+
+double *place_in(instance *fmu, fmu_storage storage, size_t offset) {
+    return (double *)((char *)fmu + places[storage]) + offset;
 }
 
 fmu_storage storage_of(const instance *fmu, const fmu_variable *variable) {
@@ -42,10 +46,10 @@ double number_of(const instance *fmu, const fmu_variable *variable) {
                                                                     : fmin(fmax(value, -INT_MAX), INT_MAX);
 }
 
-double *rate_of(const instance *fmu, const fmu_variable *input) {
+double *rate_in(instance *fmu, const fmu_variable *input) {
     const bool is_state = input->offset >= UNIT_PARAMETER_COUNT;
     const int rate = is_state ? unit_input_rates[input->offset - UNIT_PARAMETER_COUNT] : -1;
-    return rate < 0 ? NULL : &states_of(fmu)[rate];
+    return rate < 0 ? NULL : &states_in(fmu)[rate];
 }
 
 bool is_allowed(instance *fmu, const fmu_variable *variable, double value) {
@@ -159,8 +163,8 @@ static call_status check_set(instance *fmu, unsigned types, uint32_t reference, 
 }
 
 static call_status set_number(instance *fmu, const fmu_variable *variable, double value) {
-    double *place = place_of(fmu, variable->storage, variable->offset);
-    double *rate = variable->storage == STORED_INPUT ? rate_of(fmu, variable) : NULL;
+    double *place = place_in(fmu, variable->storage, variable->offset);
+    double *rate = variable->storage == STORED_INPUT ? rate_in(fmu, variable) : NULL;
     if (keeps_its_value(fmu, variable)) {
         return *place == value ? CALL_OK
                                : answer(fmu, CALL_WARNING,

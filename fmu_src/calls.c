@@ -22,8 +22,8 @@ call_status reset(instance *fmu) {
         .importer_tolerance = INFINITY,
         .stop_time = INFINITY};
     fmu->run = fresh;
-    memcpy(parameters_of(fmu), unit_model->parameter_defaults, UNIT_PARAMETER_COUNT * sizeof(double));
-    memcpy(states_of(fmu), unit_model->state_defaults, UNIT_STATE_COUNT * sizeof(double));
+    memcpy(parameters_in(fmu), unit_model->parameter_defaults, UNIT_PARAMETER_COUNT * sizeof(double));
+    memcpy(states_in(fmu), unit_model->state_defaults, UNIT_STATE_COUNT * sizeof(double));
     memcpy(fmu->run.starts, unit_model->state_defaults, UNIT_STATE_COUNT * sizeof(double));
     fmu->step_limit = usual_step_limit;
     fmu->current = 0;

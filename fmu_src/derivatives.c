@@ -31,7 +31,7 @@ static void vary_view(const instance *fmu, const double *dp, const double *dx, u
 /* The run just after inputs that are 0 have begun to move along a direction: some inputs act from then on. */
 static instance moved_along(const instance *fmu, const instance *direction) {
     instance moved = *fmu;
-    double *x = states_of(&moved);
+    double *x = states_in(&moved);
     for (int i = 0; i < UNIT_STATE_COUNT; ++i) {
         if (unit_input_rates[i] >= 0 && x[i] == 0.0 && states_of(direction)[i] != 0.0) {
             x[i] = copysign(DBL_MIN, states_of(direction)[i]);
@@ -62,7 +62,7 @@ static void differentiate(const instance *fmu, instance *direction) {
 static void differentiate_start(const instance *given, const instance *started, instance *direction) {
     instance begun = *given;
     double shift = 0.0, dx[UNIT_STATE_COUNT + 1], shown[UNIT_STATE_COUNT + 1];
-    double *seeds = states_of(direction), *shown_times = direction->view.numbers + UNIT_PARAMETER_COUNT;
+    double *seeds = states_in(direction), *shown_times = direction->view.numbers + UNIT_PARAMETER_COUNT;
     const tdmf_mode_kind *mode = mode_of(started);
     begin_time(&begun);
     begin_time(direction);
@@ -140,8 +140,8 @@ static call_status check_derivatives(const instance *fmu, variable_list list, co
 }
 
 /* The place of a variable in a direction. */
-static double *place_in(const instance *direction, uint32_t reference) {
-    return place_of(direction, fmu_variables[reference].storage, fmu_variables[reference].offset);
+static double *variation_in(instance *direction, uint32_t reference) {
+    return place_in(direction, fmu_variables[reference].storage, fmu_variables[reference].offset);
 }
 
 /* The derivative of each unknown along the seeds of the knowns, in one pass. For the adjoint, the derivative
@@ -171,7 +171,7 @@ call_status directional_derivative(instance *fmu, bool is_adjoint, const uint32_
         double sum = 0.0;
         memset(&direction, 0, sizeof direction);
         for (size_t i = first; i < end; ++i) {
-            *place_in(&direction, knowns[i]) += is_adjoint ? 1.0 : seeds[i];
+            *variation_in(&direction, knowns[i]) += is_adjoint ? 1.0 : seeds[i];
         }
         if (fmu->run.has_begun) {
             differentiate(present, &direction);
@@ -179,7 +179,7 @@ call_status directional_derivative(instance *fmu, bool is_adjoint, const uint32_
             differentiate_start(fmu, present, &direction);
         }
         for (size_t i = 0; i < unknown_count; ++i) {
-            const double value = *place_in(&direction, unknowns[i]);
+            const double value = *variation_in(&direction, unknowns[i]);
             sum += is_adjoint ? seeds[i] * value : 0.0;
             values[is_adjoint ? pass : i] = is_adjoint ? sum : value;
         }
@@ -191,9 +191,9 @@ call_status directional_derivative(instance *fmu, bool is_adjoint, const uint32_
 static void write_flow(const instance *fmu, instance *direction) {
     const tdmf_page_instant at = instant_of(fmu);
     memset(direction, 0, sizeof *direction);
-    tdmf_page_world_rates(&at, states_of(direction));
+    tdmf_page_world_rates(&at, states_in(direction));
     for (int i = 0; i < UNIT_CONTINUOUS_COUNT; ++i) {
-        double *rate = &states_of(direction)[unit_states[i].index];
+        double *rate = &states_in(direction)[unit_states[i].index];
         *rate = within_largest(*rate);
     }
 }
@@ -216,7 +216,7 @@ call_status output_derivatives(const instance *fmu, const uint32_t references[],
             return answer(fmu, CALL_ERROR, "only first derivatives of outputs are given: %s, order %d",
                           variable->name, orders[i]);
         }
-        values[i] = *place_in(&flow, references[i]);
+        values[i] = *variation_in(&flow, references[i]);
     }
     return check_derivatives(fmu, outputs, values);
 }

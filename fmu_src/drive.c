@@ -18,7 +18,7 @@ static bool is_by_cvode(const instance *fmu) {
 /* Sets the page's clock to the time of the motion, which may differ by rounding, and with the clock the times
  * that the page has recorded at this instant. */
 static void set_clock(instance *fmu) {
-    double *x = states_of(fmu);
+    double *x = states_in(fmu);
     for (int i = 0; i < UNIT_STATE_COUNT; ++i) {
         if (unit_clock >= 0 && unit_holds_time[i] && x[i] == x[unit_clock]) {
             x[i] = fmu->run.motion.time;
@@ -33,8 +33,8 @@ tdmf_page_run run_of(instance *fmu) {
     const unit_motion *motion = &fmu->run.motion;
     const double wanted = fmin(fmu->run.settings[SETTING_TOLERANCE], fmu->run.importer_tolerance);
     const double tolerance = fmax(wanted, finest_tolerance);
-    const tdmf_page_run run = {.p = parameters_of(fmu),
-                               .x = states_of(fmu),
+    const tdmf_page_run run = {.p = parameters_in(fmu),
+                               .x = states_in(fmu),
                                .memory = fmu->memory,
                                .time = motion->time,
                                .time_rest = motion->time_rest,
@@ -213,7 +213,7 @@ static void return_to_event(instance *fmu, const unit_motion *before, const tdmf
                             const double *states) {
     unit_motion *motion = &fmu->run.motion;
     *motion = *before;
-    memcpy(states_of(fmu), states, UNIT_STATE_COUNT * sizeof *states);
+    memcpy(states_in(fmu), states, UNIT_STATE_COUNT * sizeof *states);
     motion->time = row->time;
     motion->time_rest = 0.0;
     motion->taken = row->time > before->time ? 0 : motion->taken;

@@ -208,7 +208,7 @@ static call_status set_input_rates(instance *fmu, REFERENCES, const fmi2Integer 
         status = check_input_rate(fmu, references[i], orders[i], values[i]);
     }
     for (size_t i = 0; i < count && status == CALL_OK; ++i) {
-        double *rate = rate_of(fmu, &fmu_variables[references[i]]);
+        double *rate = rate_in(fmu, &fmu_variables[references[i]]);
         if (rate != NULL) {
             *rate = values[i];
         }

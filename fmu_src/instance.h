@@ -124,13 +124,21 @@ static inline bool is_exchange(const instance *fmu) {
     return fmu->run.interface == MODEL_EXCHANGE;
 }
 
-/* Numbers of a run are never written through a constant instance. */
-static inline double *parameters_of(const instance *fmu) {
-    return (double *)(size_t)fmu->run.motion.numbers;
+/* The numbers of a run: `_of` to read them, `_in` to write them, too. */
+static inline const double *parameters_of(const instance *fmu) {
+    return fmu->run.motion.numbers;
 }
 
-static inline double *states_of(const instance *fmu) {
+static inline double *parameters_in(instance *fmu) {
+    return fmu->run.motion.numbers;
+}
+
+static inline const double *states_of(const instance *fmu) {
     return parameters_of(fmu) + UNIT_PARAMETER_COUNT;
+}
+
+static inline double *states_in(instance *fmu) {
+    return parameters_in(fmu) + UNIT_PARAMETER_COUNT;
 }
 
 /* The largest time that a clock may show: differences, sums and ratios of such times are numbers. */
@@ -194,8 +202,9 @@ int number_of_bit(unsigned bit);
 
 /* ---- access.c: variables ------------------------------------------------------------------------------- */
 
-/* The place of a variable's value. It is never written through a constant instance. */
-double *place_of(const instance *fmu, fmu_storage storage, size_t offset);
+/* The place of a variable's value: `_of` to read it, `_in` to write it, too. */
+const double *place_of(const instance *fmu, fmu_storage storage, size_t offset);
+double *place_in(instance *fmu, fmu_storage storage, size_t offset);
 
 /* The storage of a variable's value: before the run, the view has states that the start calculates. */
 fmu_storage storage_of(const instance *fmu, const fmu_variable *variable);
@@ -204,7 +213,7 @@ fmu_storage storage_of(const instance *fmu, const fmu_variable *variable);
 double number_of(const instance *fmu, const fmu_variable *variable);
 
 /* The rate of an input, per second, in the run; NULL: it has none. */
-double *rate_of(const instance *fmu, const fmu_variable *input);
+double *rate_in(instance *fmu, const fmu_variable *input);
 
 /* True if a variable may have this value. */
 bool is_allowed(instance *fmu, const fmu_variable *variable, double value);

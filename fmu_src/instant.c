@@ -29,12 +29,12 @@ const char *number_out_of_range(const double numbers[]) {
 
 void show_to_world(instance *fmu) {
     double room[UNIT_STATE_COUNT + 1];
-    tdmf_show_to_world(unit_model, fmu->run.motion.mode, parameters_of(fmu), states_of(fmu), room);
+    tdmf_show_to_world(unit_model, fmu->run.motion.mode, parameters_of(fmu), states_in(fmu), room);
 }
 
 void take_from_world(instance *fmu) {
     double room[UNIT_STATE_COUNT + 1];
-    tdmf_take_from_world(unit_model, fmu->run.motion.shown, parameters_of(fmu), states_of(fmu), room);
+    tdmf_take_from_world(unit_model, fmu->run.motion.shown, parameters_of(fmu), states_in(fmu), room);
 }
 
 /* ---- the view ------------------------------------------------------------------------------------------ */

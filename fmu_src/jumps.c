@@ -55,7 +55,7 @@ bool account_for_jumps(instance *fmu) {
             add_change(fmu, kind, states_of(fmu), fmu->run.accounted[index_of(kind)], numbers[index_of(kind)],
                        1.0, change);
             for (int j = 0; j < UNIT_STATE_COUNT; ++j) {
-                states_of(fmu)[j] += change[j];
+                states_in(fmu)[j] += change[j];
             }
             found = true;
         }
@@ -97,7 +97,7 @@ bool account_for_drifts(instance *fmu) {
     }
     const bool found = account_for_jumps(fmu);
     for (int i = 0; i < UNIT_STATE_COUNT; ++i) {
-        states_of(fmu)[i] += change[i];
+        states_in(fmu)[i] += change[i];
     }
     if (found) {
         account_for_all(fmu);

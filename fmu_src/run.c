@@ -17,7 +17,7 @@ static void set_clocks(instance *fmu, double time) {
     fmu->run.motion.time = time - fmu->run.epoch;
     fmu->run.motion.time_rest = 0.0;
     if (unit_clock >= 0) {
-        states_of(fmu)[unit_clock] = fmu->run.motion.time;
+        states_in(fmu)[unit_clock] = fmu->run.motion.time;
     }
 }
 
@@ -77,7 +77,7 @@ bool requirements_are_met(instance *fmu, bool of_parameters) {
 void begin_time(instance *fmu) {
     for (size_t i = 0; i < fmu_variable_count; ++i) {
         if (fmu_variables[i].storage == STORED_START) {
-            states_of(fmu)[fmu_variables[i].offset] = fmu->run.starts[fmu_variables[i].offset];
+            states_in(fmu)[fmu_variables[i].offset] = fmu->run.starts[fmu_variables[i].offset];
         }
     }
     fmu->run.epoch = UNIT_CLOCK_IS_RELATIVE ? fmu->run.time : 0.0;
@@ -132,7 +132,7 @@ call_status exit_initialization(instance *fmu) {
 /* Records largest values, which an importer's solver shows at its steps only. */
 static void observe(instance *fmu) {
     const tdmf_page_instant at = instant_of(fmu);
-    tdmf_note_largest(&at, states_of(fmu));
+    tdmf_note_largest(&at, states_in(fmu));
 }
 
 void take_immediate_events(instance *fmu) {
@@ -274,7 +274,7 @@ bool complete_step(instance *fmu) {
     bool asks = quantity_has_jumped(fmu);
     tdmf_view_guards(&at, fmu->run.watch, guards);
     tdmf_note_guards(&at, guards, fmu->run.watch);
-    tdmf_note_largest(&at, states_of(fmu));
+    tdmf_note_largest(&at, states_in(fmu));
     if (!asks) {
         account_for_all(fmu);
     }
@@ -305,7 +305,7 @@ call_status set_states(instance *fmu, const double states[], size_t count) {
         }
     }
     for (int i = 0; i < UNIT_CONTINUOUS_COUNT; ++i) {
-        states_of(fmu)[unit_states[i].index] = within_largest(states[i]);
+        states_in(fmu)[unit_states[i].index] = within_largest(states[i]);
     }
     take_from_world(fmu);
     fmu->current = 0;
@@ -319,7 +319,7 @@ static bool inputs_are_in_range(instance *fmu) {
     char refusal[TEXT_CAPACITY];
     for (size_t i = 0; i < fmu_variable_count; ++i) {
         const fmu_variable *input = &fmu_variables[i];
-        const double *rate = input->storage == STORED_INPUT ? rate_of(fmu, input) : NULL;
+        const double *rate = input->storage == STORED_INPUT ? rate_in(fmu, input) : NULL;
         if (rate != NULL && *rate != 0.0 && !is_allowed(fmu, input, number_of(fmu, input))) {
             memcpy(refusal, fmu->reason, sizeof refusal);
             return refuse(fmu, "its rate brings an input out of range: %.200s", refusal);
@@ -334,7 +334,7 @@ static bool arrive(instance *fmu, tdmf_run_outcome outcome, double until) {
     const double rest = until - fmu->run.epoch - fmu->run.motion.time;
     for (int i = 0; outcome == TDMF_RUN_ENDED && i < UNIT_STATE_COUNT; ++i) {
         const int rate = unit_input_rates[i];
-        states_of(fmu)[i] += rate >= 0 ? states_of(fmu)[rate] * rest : 0.0;
+        states_in(fmu)[i] += rate >= 0 ? states_of(fmu)[rate] * rest : 0.0;
     }
     if (!has_arrived(outcome)) {
         return refuse_outcome(fmu, outcome);
