@@ -9,7 +9,17 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from ..analysis.targeted import MAXIMUM, MINIMUM
-from ..checks import check_names, choice_of, near_matches, number_in, number_of, path_of, refusal, shown
+from ..checks import (
+    check_kind,
+    check_names,
+    choice_of,
+    near_matches,
+    number_in,
+    number_of,
+    path_of,
+    refusal,
+    shown,
+)
 from ..errors import InputError, counted, reason
 from ..files.whole import cells_of
 from ..given import is_table, mapping_of, numbers_of, row_of
@@ -160,13 +170,14 @@ def _table_cells(given: object, model: Model) -> list[list[str]]:
     columns = mapping_of(given, "data", "columns by the names of quantities")
     cells = []
     for title, of in columns.items():
-        name = str(title).partition("[")[0].strip().removesuffix(ERROR)
+        check_kind(title, str, "data: a column", "the name of a quantity")
+        name = title.partition("[")[0].strip().removesuffix(ERROR)
         unit = unit_of(name, model) if name in measurable(model) else ""
         column = row_of(of, f"data {title}", "a column of numbers")
         cells.append([_cell(value, unit) for value in column])
     if len({len(column) for column in cells}) != 1:
         raise InputError("data: columns of different lengths, or none; allowed: one or more, of one length")
-    return [[str(title) for title in columns], *map(list, zip(*cells, strict=True))]
+    return [list(columns), *map(list, zip(*cells, strict=True))]
 
 
 def _cell(value: object, unit: str) -> str:

@@ -9,7 +9,16 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..checks import check_kind, check_size, checked_between, checked_threads, checked_whole, is_one_of, shown
+from ..checks import (
+    check_kind,
+    check_size,
+    checked_between,
+    checked_threads,
+    checked_whole,
+    is_one_of,
+    reading,
+    shown,
+)
 from ..errors import InputError, counted
 from ..given import is_series, numbers_by, row_of
 from ..variables.parameters import RunnerLike
@@ -58,7 +67,8 @@ class Given:
         instructions: str | None = None,
     ) -> None:
         self.varied: dict[str, NDArray[np.float64]] = {}
-        first = runners[0] if isinstance(runners, list | tuple) and runners else runners
+        with reading("runners", runners, "a runner, or one or more in a list"):
+            first = runners[0] if isinstance(runners, list | tuple) and runners else runners
         self.model = model_of(first, model)
         aliases = self.model.aliases
         self._read_runners(
