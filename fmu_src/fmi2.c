@@ -50,7 +50,7 @@ fmi2Component fmi2Instantiate(fmi2String name, fmi2Type type, fmi2String guid, f
                               const fmi2CallbackFunctions *functions, fmi2Boolean visible,
                               fmi2Boolean logging) {
     const fmi2CallbackLogger logger = functions == NULL ? NULL : functions->logger;
-    const fmi2ComponentEnvironment environment = functions == NULL ? NULL : functions->componentEnvironment;
+    fmi2ComponentEnvironment environment = functions == NULL ? NULL : functions->componentEnvironment;
     const interface_kind interface = type == fmi2ModelExchange ? MODEL_EXCHANGE : CO_SIMULATION;
     const char *reason = type == fmi2ModelExchange || type == fmi2CoSimulation
                              ? NULL
