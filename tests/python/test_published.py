@@ -11,7 +11,7 @@ from conftest import reference_gaits
 from tdmf_slip import Runner, find_gait, stride_map
 from tdmf_slip.paper import published, results_page
 from tdmf_slip.paper.claims import CLAMP, FREE, READINGS, Claim, Finding, Group
-from tdmf_slip.paper.evidence import SETTLED, Evidence, gather_classic
+from tdmf_slip.paper.evidence import SETTLED, Evidence
 
 STORED = results_page.read(Path(__file__).parents[2] / "documentation/data/results", results_page.PAPERS)
 
@@ -23,7 +23,7 @@ def evidence():
 
 @pytest.fixture(scope="module")
 def claims(evidence):
-    return {claim.what: claim for claim in published.claims(evidence, gather_classic())}
+    return {claim.what: claim for claim in published.claims(evidence)}
 
 
 @pytest.mark.parametrize(

@@ -1,7 +1,6 @@
 """Gaits, simulations and perturbed strides of one reading, to compare with the paper's statements."""
 
 import math
-from dataclasses import dataclass
 from functools import cache, cached_property
 
 import numpy as np
@@ -106,26 +105,8 @@ def touchdown_angle(gait: Gait) -> float:
     return touchdown.state[STATES.index("leg.angle")]
 
 
-@dataclass(frozen=True, eq=False)
-class ClassicEvidence:
-    """Computed results about the classic SLIP, which has no swing."""
-
-    stable: classic_slip.FixedPoint
-    """Stable gait at 40 degrees."""
-    lowest: float
-    """Least touchdown angle with a stable gait, rad; the map's slope is -1 there."""
-    fold: classic_slip.FixedPoint
-    """Largest touchdown angle with a gait."""
-
-
 @cache
-def gather_classic() -> ClassicEvidence:
-    """Compute the evidence on the statements about the classic SLIP."""
-    fold = classic_slip.classic_fold()
-    lowest: float = brentq(_above_minus_one, *BRACKET, xtol=1e-6)
-    return ClassicEvidence(classic_slip.classic_gaits(math.radians(SLIP_ANGLE))[0], lowest, fold)
-
-
-def _above_minus_one(angle: float) -> float:
-    """Slope of the map at the lower gait, plus one."""
-    return classic_slip.classic_gaits(angle)[0].slope + 1.0
+def lowest_stable_angle() -> float:
+    """Least touchdown angle at which the classic SLIP has a stable gait, rad: the map's slope is -1 there."""
+    angle: float = brentq(lambda angle: classic_slip.classic_gaits(angle)[0].slope + 1.0, *BRACKET, xtol=1e-6)
+    return angle

@@ -9,9 +9,10 @@ import numpy as np
 import pandas
 
 from ..errors import counted
+from ..library import classic_slip
 from .along import words_over
 from .claims import WORDS, Claim, Finding, both_readings
-from .evidence import LEAST_FRICTION, LEG_ANGLE, SLIP_ANGLE, ClassicEvidence, Evidence, touchdown_angle
+from .evidence import LEAST_FRICTION, LEG_ANGLE, SLIP_ANGLE, Evidence, lowest_stable_angle, touchdown_angle
 
 STABLE_ANGLES = (40.0, 44.0)
 """Touchdown angles with stable gaits, about, degrees."""
@@ -21,9 +22,10 @@ NEAR_ANGLE = 1.0
 """Degrees within which two angles agree."""
 
 
-def classic_claims(evidence: ClassicEvidence) -> list[Claim]:
-    """The statements about stable gaits, and about the friction that one of them needs."""
-    stable, lowest, fold = evidence.stable, math.degrees(evidence.lowest), math.degrees(evidence.fold.angle)
+def classic_claims() -> list[Claim]:
+    """The statements about stable gaits of the classic SLIP, and the friction that one of them needs."""
+    stable, *_ = classic_slip.classic_gaits(math.radians(SLIP_ANGLE))
+    lowest, fold = (math.degrees(at) for at in (lowest_stable_angle(), classic_slip.classic_fold().angle))
     low, high = STABLE_ANGLES
     near = abs(lowest - low) < NEAR_ANGLE and abs(fold - high) < NEAR_ANGLE
     range_of_angles = both_readings(f"{lowest:.1f}° to {fold:.2f}°", near)
@@ -81,13 +83,13 @@ def statement(where: str, what: str, published: str, **kind: Any) -> Callable[[J
     return add
 
 
-def claims(evidence: Mapping[str, Evidence], classic: ClassicEvidence) -> list[Claim]:
+def claims(evidence: Mapping[str, Evidence]) -> list[Claim]:
     """All statements of the paper, in its order."""
     found = [
         replace(claim, computed={reading: judge(of_reading) for reading, of_reading in evidence.items()})
         for claim, judge in STATEMENTS
     ]
-    return [*classic_claims(classic), *found]
+    return [*classic_claims(), *found]
 
 
 @statement("4", "(11) as printed, torque +tau0 in stance", "injects energy", misprint=True)

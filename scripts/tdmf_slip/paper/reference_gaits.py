@@ -10,12 +10,13 @@ from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
+from ..library import classic_slip
 from ..library.gait import REPORTED
 from ..library.runner import Runner
 from ..library.section import COORDINATES
 from .along import words_over
 from .claims import CLAMP, FREE
-from .evidence import ClassicEvidence, Evidence
+from .evidence import SLIP_ANGLE, Evidence
 from .settling import SettledRun
 
 PATH = Path(__file__).with_suffix(".json")
@@ -98,12 +99,13 @@ def sweep_drifts(reading: str, evidence: Evidence) -> list[Drift]:
     return [_drift(*row, reading) for row in rows]
 
 
-def classic_drifts(evidence: ClassicEvidence) -> list[Drift]:
+def classic_drifts() -> list[Drift]:
     """Gaits of the classic SLIP beside the recorded ones."""
-    known, fold = recorded()["classic_slip"], math.degrees(evidence.fold.angle)
+    known, fold = recorded()["classic_slip"], math.degrees(classic_slip.classic_fold().angle)
+    stable, *_ = classic_slip.classic_gaits(math.radians(SLIP_ANGLE))
     return [
-        _drift("SLIP apex at 40°", evidence.stable.height, known["apex_at_40_degrees"], 1e-5),
-        _drift("SLIP slope at 40°", evidence.stable.slope, known["slope_at_40_degrees"], 1e-4),
+        _drift("SLIP apex at 40°", stable.height, known["apex_at_40_degrees"], 1e-5),
+        _drift("SLIP slope at 40°", stable.slope, known["slope_at_40_degrees"], 1e-4),
         _drift("SLIP fold", fold, known["fold_degrees"], 5e-3),
     ]
 

@@ -14,7 +14,7 @@ from ..variables.parameters import read_parameters
 from . import guinea_fowl, human_running, published
 from . import reference_gaits as reference
 from .claims import PAPER, READINGS, WORDS, Claim, Group, of_group
-from .evidence import Evidence, gather_classic
+from .evidence import Evidence
 from .reference_gaits import Drift
 from .settling import DEFAULT_TOLERANCE, SettledRun, settle_fmu
 from .statements.own_claims import LAST_SEED, Recomputed, own_claims, text_of
@@ -219,13 +219,12 @@ def validate(
     ]
     if only_gaits:
         return Validation(gaits=gaits, claims=(), drifts=drifts)
-    classic = gather_classic()
     for reading, of_reading in evidence.items():
         drifts += reference.sweep_drifts(reading, of_reading)
     return Validation(
         gaits=gaits,
-        claims=published.claims(evidence, classic),
-        drifts=[*drifts, *reference.classic_drifts(classic)],
+        claims=published.claims(evidence),
+        drifts=[*drifts, *reference.classic_drifts()],
         others=[*guinea_fowl.claims(guinea_fowl.fall_map()), *human_running.claims()],
         own=own_claims(seed=seed, progress=progress) if own else (),
     )

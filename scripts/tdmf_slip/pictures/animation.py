@@ -24,7 +24,7 @@ from ..files.whole import check_destination, whole
 from ..fmu.run import SLIPS
 from ..library.gait import Gait
 from . import style
-from .model import DrawnRunner, bare, pose
+from .model import DrawnRunner, bare
 from .panels import Stride
 
 
@@ -197,9 +197,8 @@ class _Scene:
         below = float(self.line(np.array(middle)))
         self.axes.set_xlim(middle - self.half_width, middle + self.half_width)
         self.axes.set_ylim(below + LOW, below + self.top)
-        where = pose(stride, time)
-        self.runner.set_pose(where, colour)
-        self._push(where.foot, time, colour)
+        self.runner.move(stride, time)
+        self._push(stride.place("foot", time), time, colour)
         self._leave_streaks(time)
         self.mode.set_text(style.MODE_NAMES[mode])
         self.mode.set_color(colour)

@@ -8,7 +8,6 @@ import numpy as np
 import xarray
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
-from matplotlib.cm import ScalarMappable
 from matplotlib.colors import ListedColormap
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
@@ -229,34 +228,28 @@ OPEN, NOT_VIABLE = "#f0b35a", "#efe9e4"
 def of_viable_set(found: xarray.Dataset) -> Figure:
     """The sets as a figure."""
     figure, axes = style.subplots(figsize=(7.6, 5.4))
-    mesh = paint_viable_set(axes, found)
+    vertical, horizontal = map(str, found["viable"].dims)
+    edges = found[f"{horizontal}_edge"].values, found[f"{vertical}_edge"].values
+    states, robustness = found["viable"].values, found["inner_robustness"].values
+    for level, colour in ((0, NOT_VIABLE), (1, OPEN)):
+        style.paint_cells(axes, edges, states == level, colour)
+    largest = float(np.max(robustness)) or 1.0
+    mesh = style.paint_cells(axes, edges, states == 2, VIABLE_COLOURS, robustness, largest)
     figure.colorbar(mesh, ax=axes, label="share of actions that lead to a viable state (inner set)", pad=0.01)
     handles = [
         Patch(color=OPEN, label="undecided on this grid"),
         Patch(facecolor=NOT_VIABLE, edgecolor=style.FAINT, label="no action on the grid avoids a fall"),
     ]
     figure.legend(handles=handles, loc="outside lower center", ncols=2)
-    begin = _at_friction(Runner(runner_in(found), model=found.model)).replace(", ", ": ")
-    actions = found["viable_pair"].size // found["viable"].size
-    axes.set_title(
-        f"{begin}{found.inner_share:.1%} to {found.outer_share:.1%} of the plane viable, {actions} actions"
-    )
-    return figure
-
-
-def paint_viable_set(axes: Axes, found: xarray.Dataset, maximum: float | None = None) -> ScalarMappable:
-    """Paint the sets into axes of a figure."""
-    vertical, horizontal = map(str, found["viable"].dims)
-    edges = found[f"{horizontal}_edge"].values, found[f"{vertical}_edge"].values
-    states, robustness = found["viable"].values, found["inner_robustness"].values
-    for level, colour in ((0, NOT_VIABLE), (1, OPEN)):
-        style.paint_cells(axes, edges, states == level, colour)
-    largest = maximum or float(np.max(robustness)) or 1.0
-    mesh = style.paint_cells(axes, edges, states == 2, VIABLE_COLOURS, robustness, largest)
     runner = Runner(runner_in(found), model=found.model)
     labels = [
         style.with_unit(style.in_words(axis), runner.label(runner.model.coordinate(axis).unit))
         for axis in (horizontal, vertical)
     ]
     style.label(axes, *labels)
-    return mesh
+    begin = _at_friction(runner).replace(", ", ": ")
+    actions = found["viable_pair"].size // found["viable"].size
+    axes.set_title(
+        f"{begin}{found.inner_share:.1%} to {found.outer_share:.1%} of the plane viable, {actions} actions"
+    )
+    return figure

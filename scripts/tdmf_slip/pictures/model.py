@@ -1,7 +1,5 @@
 """The runner as it is drawn: body, leg and foot on the ground."""
 
-from dataclasses import dataclass
-
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Circle
@@ -10,31 +8,14 @@ from numpy.typing import NDArray
 from . import style
 from .panels import Stride
 
-COILS = 7
+COILS, WIDTH = 7, 0.055
+"""Number of the coils of a spring, and their size, over l0."""
 BODY_RADIUS = 0.1
 FOOT_RADIUS = 0.05
 
 
-@dataclass(frozen=True)
-class Pose:
-    """Positions of body and foot, over l0."""
-
-    body: tuple[float, float]
-    """Position of the body, x and y."""
-    foot: tuple[float, float]
-    """Position of the foot, x and y."""
-
-
-def pose(stride: Stride, time: float) -> Pose:
-    """The runner's pose at a time of a stride."""
-    body_x, body_y, foot_x, foot_y = (
-        stride.at(name, time) for name in ("body.x", "body.y", "foot.x", "foot.y")
-    )
-    return Pose((body_x, body_y), (foot_x, foot_y))
-
-
 def spring(
-    foot: tuple[float, float], body: tuple[float, float], width: float = 0.055
+    foot: tuple[float, float], body: tuple[float, float]
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """A coil spring from foot to body, straight at both ends."""
     start, end = np.array(foot), np.array(body)
@@ -42,35 +23,33 @@ def spring(
     across = np.array([-along[1], along[0]]) / max(np.hypot(*along), 1e-12)
     share = np.linspace(0.0, 1.0, 40 * COILS)
     winding = np.clip((share - 0.2) / 0.55, 0.0, 1.0)
-    line = start + share[:, None] * along + width * np.sin(2 * np.pi * COILS * winding)[:, None] * across
+    line = start + share[:, None] * along + WIDTH * np.sin(2 * np.pi * COILS * winding)[:, None] * across
     return line[:, 0], line[:, 1]
 
 
 class DrawnRunner:
     """A runner in some axes, drawn once and moved as often as needed."""
 
-    def __init__(self, axes: Axes, opacity: float = 1.0, line_width: float = 1.6, size: float = 1.0) -> None:
+    def __init__(self, axes: Axes, line_width: float = 1.6, size: float = 1.0) -> None:
         """Make the artists, without a pose yet."""
-        (self.leg,) = axes.plot([], [], color=style.INK, linewidth=line_width, alpha=opacity, zorder=4)
-        self.body = Circle((0, 0), size * BODY_RADIUS, facecolor=style.BODY, alpha=opacity, zorder=5)
+        (self.leg,) = axes.plot([], [], color=style.INK, linewidth=line_width, zorder=4)
+        self.body = Circle((0, 0), size * BODY_RADIUS, facecolor=style.BODY, zorder=5)
         self.foot = Circle(
             (0, 0),
             size * FOOT_RADIUS,
             facecolor="white",
             edgecolor=style.INK,
             linewidth=1.2,
-            alpha=opacity,
             zorder=5,
         )
         axes.add_patch(self.body)
         axes.add_patch(self.foot)
 
-    def set_pose(self, where: Pose, colour: str) -> None:
-        """Move the runner, and give the foot a contact mode's colour."""
-        self.leg.set_data(*spring(where.foot, where.body))
-        self.body.center = where.body
-        self.foot.center = where.foot
-        self.foot.set_facecolor(colour)
+    def move(self, stride: Stride, time: float) -> None:
+        """Move the runner to its place at a time of a stride, and give the foot the contact mode's colour."""
+        self.foot.center, self.body.center = stride.place("foot", time), stride.place("body", time)
+        self.leg.set_data(*spring(self.foot.center, self.body.center))
+        self.foot.set_facecolor(style.MODE_COLOURS[stride.mode_at(time)])
 
 
 def bare(axes: Axes, x_limits: tuple[float, float], y_limits: tuple[float, float]) -> None:

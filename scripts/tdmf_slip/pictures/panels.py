@@ -105,6 +105,10 @@ class Stride:
         """A variable at a time, interpolated between rows."""
         return float(np.interp(time, self.time, self[name]))
 
+    def place(self, part: str, time: float) -> tuple[float, float]:
+        """Position of the body or the foot at a time."""
+        return self.at(f"{part}.x", time), self.at(f"{part}.y", time)
+
     def mode_at(self, time: float) -> str:
         """Contact mode at a time."""
         return self.modes[max(0, int(np.searchsorted(self.time, time, side="right")) - 1)]

@@ -14,7 +14,7 @@ from ...library import classic_slip
 from ...library.page_runner import PageRunner
 from ...pictures import style
 from ...pictures.model import spring
-from ..evidence import SLIP_ANGLE, gather_classic
+from ..evidence import SLIP_ANGLE, lowest_stable_angle
 from ..published import IMPACT_FRICTION, STANCE_FRICTION
 from .data import Results, table_of
 
@@ -138,7 +138,7 @@ def draw_gaits(results: Results) -> Figure:
     figure, axes = style.subplots(figsize=(5.6, 4.2))
     for name, line, its in _branches(data):
         axes.plot(its["angle_degrees"], its["height"], line, color=style.CURVE, label=name)
-    lowest = gather_classic().lowest
+    lowest = lowest_stable_angle()
     for mark, name, angle, height in (
         ("o", "fold", data["angle_degrees"].iloc[-1], data["height"].iloc[-1]),
         ("s", "period doubling", math.degrees(lowest), classic_slip.classic_gaits(lowest)[0].height),

@@ -7,7 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from ...pictures import panels, style
-from ...pictures.model import DrawnRunner, bare, ground, pose
+from ...pictures.model import DrawnRunner, bare, ground
 from ...pictures.panels import Stride
 from .data import Results
 from .strides import Which
@@ -54,7 +54,7 @@ def _whole(axes: Axes, stride: Stride) -> None:
     axes.plot(stride["com.x"], stride["com.y"], color=style.FAINT, linewidth=0.8, zorder=2)
     for time in np.linspace(0.0, stride.time[-1], IN_STRIDE):
         runner = DrawnRunner(axes, line_width=0.7, size=1.2)
-        runner.set_pose(pose(stride, time), style.MODE_COLOURS[stride.mode_at(time)])
+        runner.move(stride, time)
 
 
 def _stance(axes: Axes, stride: Stride, limits: tuple[float, float]) -> None:
@@ -67,15 +67,15 @@ def _stance(axes: Axes, stride: Stride, limits: tuple[float, float]) -> None:
         _ray(axes, stride, time)
     shown = {"touchdown": start, "mid-stance": stride.times_of("midstance")[0], "lift-off": end - 1e-9}
     for name, time in shown.items():
-        where = pose(stride, time)
-        DrawnRunner(axes, size=0.6).set_pose(where, style.MODE_COLOURS[stride.mode_at(time)])
-        axes.annotate(name, where.body, xytext=(0, 19), textcoords="offset points", ha="center")
+        DrawnRunner(axes, size=0.6).move(stride, time)
+        axes.annotate(
+            name, stride.place("body", time), xytext=(0, 19), textcoords="offset points", ha="center"
+        )
 
 
 def _ray(axes: Axes, stride: Stride, time: float) -> None:
     """The leg as a line in the colour of the contact mode."""
-    where = pose(stride, time)
-    x, y = zip(where.foot, where.body, strict=True)
+    x, y = zip(stride.place("foot", time), stride.place("body", time), strict=True)
     axes.plot(x, y, color=style.MODE_COLOURS[stride.mode_at(time)], linewidth=0.9, alpha=0.55, zorder=3)
 
 
