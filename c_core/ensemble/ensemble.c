@@ -3,7 +3,7 @@
 #include "tdmf_slip/ensemble.h"
 
 #include "batch.h"
-#include "member.h"
+#include "ground.h"
 #include "page_map.h"
 #include "request_checks.h"
 #include "threads.h"
@@ -46,7 +46,6 @@ typedef struct {
     bool takes_plain;
     int64_t next; /* start */
     tdmf_member *members;
-    int places[TDMF_PLACE_LIMIT]; /* on the page, of the runner's states */
 } page_job;
 
 /* Begins the next runner that has something to run. False where there is none. */
@@ -116,7 +115,8 @@ static int64_t begin_first(page_job *job, const tdmf_model_kind *model, const ba
                                .observes = ensemble->strides ? TDMF_OBSERVE_USUAL : TDMF_OBSERVE_NOTHING,
                                .event_limit = TDMF_EVENT_LIMIT};
     tdmf_member member = {.ensemble = ensemble, .kind = tdmf_kind_of(ensemble), .model = model};
-    member.kind->settle_in(&member, job->takes_plain, job->places);
+    member.kind->settle_in(&member, job->takes_plain);
+    member.ground = tdmf_places_of_ground(member.page.model);
     for (int64_t i = 0; i < places; ++i) {
         tdmf_page_run *own = &memory->runs[i];
         *own = run;
@@ -195,8 +195,8 @@ tdmf_refusal tdmf_run_ensemble(const tdmf_ensemble *ensemble, tdmf_ensemble_end 
         is_plain[i] = tdmf_kind_of(ensemble)->is_plain(ensemble, i);
         ++of_page[is_plain[i]];
     }
-    page_job jobs[2] = {{ensemble, ends, is_plain, false, 0, NULL, {0}},
-                        {ensemble, ends, is_plain, true, 0, NULL, {0}}};
+    page_job jobs[2] = {{ensemble, ends, is_plain, false, 0, NULL},
+                        {ensemble, ends, is_plain, true, 0, NULL}};
     for (int i = 0; i < 2; ++i) {
         is_done = is_done && (of_page[i] == 0 || run_on_page(&jobs[i], of_page[i], &sum));
         sum.begun = jobs[i].next > sum.begun ? jobs[i].next : sum.begun;

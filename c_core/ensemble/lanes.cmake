@@ -3,9 +3,9 @@
 include(CheckCCompilerFlag)
 find_package(Threads REQUIRED)
 
-set(ensemble_sources ensemble/affine_law.c ensemble/drawn_ground.c ensemble/ensemble.c ensemble/member.c
-    ensemble/ground.c ensemble/ground_checks.c ensemble/normal_deviates.c ensemble/page_member.c ensemble/philox.c ensemble/request_checks.c ensemble/runner_checks.c
-    ensemble/runner_member.c ensemble/runner_pages.c ensemble/settings.c ensemble/settled.c ensemble/stride_batch.c
+set(ensemble_sources ensemble/affine_law.c ensemble/drawn_ground.c ensemble/ensemble.c ensemble/ground.c
+    ensemble/ground_checks.c ensemble/member.c ensemble/normal_deviates.c ensemble/page_member.c ensemble/philox.c
+    ensemble/request_checks.c ensemble/runner_member.c ensemble/runner_pages.c ensemble/settled.c ensemble/stride_batch.c
     gait/page_batch.c hybrid/kernel/batch.c kernel/processor.c kernel/threads.c)
 list(TRANSFORM ensemble_sources PREPEND ${PROJECT_SOURCE_DIR}/c_core/)
 set(ensemble_folders include derived/pages model solver kernel gait hybrid/kernel runner)

@@ -136,7 +136,7 @@ static void write_start(const tdmf_ensemble *ensemble, int64_t index, tdmf_ensem
     static const tdmf_ensemble_end nothing_yet = {.fate = TDMF_FATE_UNDECIDED, .gait = -1};
     *end = nothing_yet;
     memcpy(end->apex, ensemble->starts[index],
-           (size_t)tdmf_kind_of(ensemble)->coordinates(ensemble) * sizeof *end->apex);
+           (size_t)tdmf_kind_of(ensemble)->section(ensemble)->count * sizeof *end->apex);
     end->foot_x = ensemble->foot_x ? ensemble->foot_x[index] : 0.0;
     if (ensemble->checkpoints) {
         ensemble->checkpoints[index].stands = false;
@@ -167,6 +167,20 @@ bool tdmf_begin_stride(tdmf_member *member) {
     return !tdmf_has_tripped(member) || tdmf_give_up(member, TDMF_FATE_FELL);
 }
 
+/* Writes the fate of a run that ends within a stride. Ends that the whole page does not have are those of the
+ * reduced map. Always returns false. */
+static bool ends_elsewhere(tdmf_member *member, tdmf_run_outcome outcome) {
+    const bool is_known = tdmf_mode_in_whole(&member->page, member->run->mode) >= 0;
+    if (outcome == TDMF_RUN_ENDED) {
+        return tdmf_give_up(member, is_known ? TDMF_FATE_FELL : TDMF_FATE_NO_STRIDE);
+    }
+    if (outcome != TDMF_RUN_ARRIVED) {
+        return tdmf_give_up(member, TDMF_FATE_UNSOLVED);
+    }
+    return tdmf_give_up(member,
+                        member->kind->too_long ? member->kind->too_long(member) : TDMF_FATE_UNDECIDED);
+}
+
 /* The event of the start has been taken. */
 static bool goes_on_from_start(tdmf_member *member, tdmf_run_outcome outcome) {
     if (member->end->strides == 0 && !member->ensemble->goes_on) {
@@ -175,8 +189,7 @@ static bool goes_on_from_start(tdmf_member *member, tdmf_run_outcome outcome) {
     member->has_started = true;
     member->run->stop_event = member->section->event;
     member->run->log_count = 0;
-    return tdmf_begin_stride(member) &&
-           (outcome == TDMF_RUN_STOPPED || member->kind->ends_elsewhere(member, outcome));
+    return tdmf_begin_stride(member) && (outcome == TDMF_RUN_STOPPED || ends_elsewhere(member, outcome));
 }
 
 /* A stride closes at the event of the section, which may also end the run. */
@@ -363,10 +376,9 @@ static bool close_stride(tdmf_member *member) {
 }
 
 bool tdmf_member_goes_on(tdmf_member *member, tdmf_run_outcome outcome) {
-    const tdmf_member_kind *kind = member->kind;
     const bool goes_on = !member->has_started      ? goes_on_from_start(member, outcome)
                          : closes(member, outcome) ? close_stride(member)
-                                                   : kind->ends_elsewhere(member, outcome);
+                                                   : ends_elsewhere(member, outcome);
     if (!goes_on) {
         member->events += member->run->events - member->first_event;
     }

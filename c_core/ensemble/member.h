@@ -33,15 +33,14 @@ typedef struct {
     const tdmf_ensemble_case *its_case;
     tdmf_ensemble_end *end;
     tdmf_page_run *run;
-    double *held;            /* states with which the run has begun */
-    double *until;           /* time limit of its stride, s */
-    double begun;            /* time at which the stride began, s */
-    bool has_started;        /* false: the event of the start is next */
-    double steps_left;       /* step limit of the stride under way */
-    long steps_before;       /* steps of the run when the stride began */
-    long first_event;        /* number of the run's first event after the start */
-    int64_t events, strides; /* of all runners in this place */
-    const int *places;       /* on the page, of each state of the runner's page; -1: the page has none */
+    double *held;                        /* states with which the run has begun */
+    double *until;                       /* time limit of its stride, s */
+    double begun;                        /* time at which the stride began, s */
+    bool has_started;                    /* false: the event of the start is next */
+    double steps_left;                   /* step limit of the stride under way */
+    long steps_before;                   /* steps of the run when the stride began */
+    long first_event;                    /* number of the run's first event after the start */
+    int64_t events, strides;             /* of all runners in this place */
     tdmf_table tables[TDMF_TABLE_LIMIT]; /* of the page: the segments of a terrain */
 } tdmf_member;
 
@@ -53,28 +52,27 @@ struct tdmf_member_kind {
     bool (*is_case)(tdmf_refusal *why, const tdmf_ensemble_case *its_case, const tdmf_ensemble *ensemble);
     bool (*is_checkpoint)(const tdmf_ensemble_checkpoint *from, const tdmf_ensemble *ensemble);
     bool (*range)(const tdmf_ensemble *ensemble, int setting, double *least, double *most);
-    int (*coordinates)(const tdmf_ensemble *ensemble);
+    const tdmf_section_kind *(*section)(const tdmf_ensemble *ensemble);
     /* Parameters and states of a case, and the place of a setting on the page: that of a parameter, or of a
      * state counted on from there. */
     void (*numbers)(const tdmf_ensemble_case *its_case, const tdmf_model_kind *model, double *parameters,
                     double *states);
     int (*place)(int setting);
-    /* ---- models: a plain one where it suits a runner. `places` has room for TDMF_PLACE_LIMIT */
+    /* ---- models: a plain one where it suits a runner */
     tdmf_model_kind (*model)(const tdmf_ensemble *ensemble, bool is_plain);
     bool (*is_plain)(const tdmf_ensemble *ensemble, int64_t index);
-    void (*settle_in)(tdmf_member *member, bool is_plain, int *places);
+    void (*settle_in)(tdmf_member *member, bool is_plain); /* on its page */
     /* ---- runs. A function that returns false has written the fate, and the run is over */
     double (*longest_stride)(const tdmf_member *member); /* s */
     void (*prepare)(tdmf_member *member);                /* before anything is set */
     bool (*start)(tdmf_member *member);
-    void (*resume)(tdmf_member *member);     /* a run from a checkpoint; or NULL */
-    bool (*start_anew)(tdmf_member *member); /* at an apex; false: the run goes on from there */
-    bool (*ends_elsewhere)(tdmf_member *member, tdmf_run_outcome outcome);
+    void (*resume)(tdmf_member *member);              /* a run from a checkpoint; or NULL */
+    bool (*start_anew)(tdmf_member *member);          /* at an apex; false: the run goes on from there */
+    tdmf_fate (*too_long)(const tdmf_member *member); /* fate of a stride that takes too long; or NULL */
     /* ---- results */
     void (*record_apex)(tdmf_member *member); /* besides coordinates, time and place */
     void (*record_stride)(const tdmf_member *member, const tdmf_ensemble_end *before,
                           tdmf_ensemble_stride *record);
-    void (*scales)(const tdmf_member *member, double scales[TDMF_POINT_LIMIT]);
 };
 
 /* The runner's kind, which the library of another page does not have: there it is NULL. */

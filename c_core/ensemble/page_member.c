@@ -16,7 +16,7 @@ static const tdmf_model_kind *model_of(const tdmf_ensemble *ensemble) {
     return (const tdmf_model_kind *)ensemble->page;
 }
 
-static const tdmf_section_kind *section_of(const tdmf_ensemble *ensemble) {
+static const tdmf_section_kind *section(const tdmf_ensemble *ensemble) {
     return &model_of(ensemble)->sections[ensemble->section];
 }
 
@@ -68,10 +68,6 @@ static bool range(const tdmf_ensemble *ensemble, int setting, double *least, dou
     return setting >= 0 && setting < model->parameter_count + model->state_count;
 }
 
-static int coordinates(const tdmf_ensemble *ensemble) {
-    return section_of(ensemble)->count;
-}
-
 static void numbers(const tdmf_ensemble_case *its_case, const tdmf_model_kind *model, double *parameters,
                     double *states) {
     memcpy(parameters, its_case->parameters, (size_t)model->parameter_count * sizeof *parameters);
@@ -92,14 +88,13 @@ static bool is_plain(const tdmf_ensemble *ensemble, int64_t index) {
     return false;
 }
 
-static void settle_in(tdmf_member *member, bool is_plain_page, int *places) {
+static void settle_in(tdmf_member *member, bool is_plain_page) {
     const tdmf_page_part whole = {.model = model_of(member->ensemble)};
-    (void)is_plain_page, (void)places;
+    (void)is_plain_page;
     member->page = whole;
     member->whole = whole.model;
-    member->section = section_of(member->ensemble);
+    member->section = section(member->ensemble);
     member->begins_anew = !tdmf_has_ground(whole.model);
-    member->ground = tdmf_places_of_ground(whole.model);
 }
 
 /* ---- strides ------------------------------------------------------------------------------------------- */
@@ -118,7 +113,7 @@ static void prepare(tdmf_member *member) {
 
 /* Begins a run at the last point, as it is set. */
 static bool start(tdmf_member *member) {
-    const tdmf_section_kind *section = member->section;
+    const tdmf_section_kind *from = member->section;
     const tdmf_model_kind *of = member->page.model;
     tdmf_page_run *run = member->run;
     const double *point = member->end->apex;
@@ -126,14 +121,14 @@ static bool start(tdmf_member *member) {
     run->log_count = 0;
     tdmf_restart(run);
     *member->until = longest;
-    if (!tdmf_is_page_point_sound(section, point) || !tdmf_are_page_values_sound(of, run->p, member->held)) {
+    if (!tdmf_is_page_point_sound(from, point) || !tdmf_are_page_values_sound(of, run->p, member->held)) {
         return tdmf_give_up(member, TDMF_FATE_NO_START);
     }
     if (!member->begins_anew) {
         tdmf_enter_segment(member, member->held);
     }
     memcpy(run->x, member->held, (size_t)of->state_count * sizeof *run->x);
-    section->enter(run->p, member->held, point, run->x);
+    from->enter(run->p, member->held, point, run->x);
     if (member->end->foot_x != 0.0) { /* as high above the ground there */
         const int slope = member->ground.slope;
         run->x[member->ground.foot_x] += member->end->foot_x;
@@ -143,14 +138,8 @@ static bool start(tdmf_member *member) {
         return tdmf_give_up(member, TDMF_FATE_NO_START);
     }
     member->has_started = member->begins_anew;
-    run->stop_event = member->begins_anew ? section->event : member->ground.begins;
+    run->stop_event = member->begins_anew ? from->event : member->ground.begins;
     return !member->begins_anew || tdmf_begin_stride(member);
-}
-
-static bool ends_elsewhere(tdmf_member *member, tdmf_run_outcome outcome) {
-    return tdmf_give_up(member, outcome == TDMF_RUN_ENDED     ? TDMF_FATE_FELL
-                                : outcome == TDMF_RUN_ARRIVED ? TDMF_FATE_UNDECIDED
-                                                              : TDMF_FATE_UNSOLVED);
 }
 
 /* ---- results ------------------------------------------------------------------------------------------- */
@@ -172,22 +161,12 @@ static void record_stride(const tdmf_member *member, const tdmf_ensemble_end *be
     }
 }
 
-static void scales(const tdmf_member *member, double of[TDMF_POINT_LIMIT]) {
-    double of_ground[TDMF_PLACE_LIMIT], of_events[TDMF_PAGE_EVENT_LIMIT];
-    /* Where strides begin anew, the states held are restored with the next one. */
-    double *of_states = member->begins_anew ? member->held : of_ground;
-    member->model->scales(member->run->p, of_states, of_events);
-    for (int i = 0; i < member->section->count; ++i) {
-        of[i] = of_states[member->section->coordinates[i]];
-    }
-}
-
 static const tdmf_member_kind kind = {
     .is_sound = is_sound,
     .is_case = is_case,
     .is_checkpoint = is_checkpoint,
     .range = range,
-    .coordinates = coordinates,
+    .section = section,
     .numbers = numbers,
     .place = place,
     .model = model,
@@ -196,9 +175,7 @@ static const tdmf_member_kind kind = {
     .longest_stride = longest_stride,
     .prepare = prepare,
     .start = start,
-    .ends_elsewhere = ends_elsewhere,
     .record_stride = record_stride,
-    .scales = scales,
 };
 
 const tdmf_member_kind *tdmf_kind_of(const tdmf_ensemble *ensemble) {

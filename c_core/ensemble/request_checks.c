@@ -82,7 +82,7 @@ static bool has_limits(tdmf_refusal *why, const tdmf_affine_law *law, const tdmf
 
 static bool is_law(tdmf_refusal *why, const tdmf_affine_law *law, const tdmf_ensemble *ensemble) {
     const tdmf_given_settings *given = ensemble->given;
-    const int coordinates = tdmf_kind_of(ensemble)->coordinates(ensemble);
+    const int coordinates = tdmf_kind_of(ensemble)->section(ensemble)->count;
     const struct {
         const char *name;
         const void *values;

@@ -5,9 +5,10 @@
 #include "page_fields.h"
 #include "page_map.h"
 #include "page_run.h"
-#include "runner_checks.h"
+#include "patch.h"
+#include "ranges.h"
+#include "refusal.h"
 #include "runner_pages.h"
-#include "settings.h"
 #include "stride_limits.h"
 #include "words.h"
 
@@ -25,27 +26,82 @@ static runner_states states_of(const tdmf_member *member) {
     return x;
 }
 
-/* One of the runner's states. */
-#define STATE(member, name) state_at(member, (int)(offsetof(runner_states, name) / sizeof(double)))
-
-static double state_at(const tdmf_member *member, int of_runner) {
-    const int place = member->places[of_runner];
-    return place < 0 ? tdmf_runner_model.state_defaults[of_runner] : member->run->x[place];
-}
-
 static void numbers(const tdmf_ensemble_case *its_case, const tdmf_model_kind *model, double *parameters,
                     double *states) {
-    const runner_parameters p = tdmf_page_parameters(&its_case->model->parameters, &its_case->inputs);
-    runner_states x;
     (void)model;
-    memcpy(&x, tdmf_runner_model.state_defaults, sizeof x);
-    tdmf_write_page_inputs(&its_case->inputs, &x);
-    memcpy(parameters, &p, sizeof p);
-    memcpy(states, &x, sizeof x);
+    *(runner_parameters *)parameters = tdmf_page_parameters(&its_case->model->parameters, &its_case->inputs);
+    memcpy(states, tdmf_runner_model.state_defaults, sizeof(runner_states));
+    tdmf_write_page_inputs(&its_case->inputs, (runner_states *)states);
+}
+
+/* ---- settings ------------------------------------------------------------------------------------------ */
+
+/* The range of a setting; NULL if there is no setting of this number. The rows of the parameters' table come
+ * first, then those of the inputs'. */
+static const tdmf_range *range_of(int setting) {
+    const int parameters = TDMF_PARAMETER_COUNT;
+    if (setting < 0 || setting >= parameters + TDMF_INPUT_COUNT) {
+        return NULL;
+    }
+    const tdmf_range *range =
+        setting < parameters ? &tdmf_parameter_ranges[setting] : &tdmf_input_ranges[setting - parameters];
+    return range->at_events ? range : NULL;
+}
+
+int tdmf_setting_of(const char *name) {
+    const int count = TDMF_PARAMETER_COUNT + TDMF_INPUT_COUNT;
+    for (int setting = 0; name != NULL && setting < count; ++setting) {
+        const tdmf_range *range = range_of(setting);
+        if (range != NULL && strcmp(range->name, name) == 0) {
+            return setting;
+        }
+    }
+    return -1;
+}
+
+static bool range(const tdmf_ensemble *ensemble, int setting, double *least, double *most) {
+    const tdmf_range *of = range_of(setting);
+    (void)ensemble;
+    if (of) {
+        *least = of->minimum;
+        *most = of->maximum;
+    }
+    return of != NULL;
 }
 
 static int place(int setting) {
-    return tdmf_setting_range(setting)->place;
+    return range_of(setting)->place;
+}
+
+/* ---- requests ------------------------------------------------------------------------------------------ */
+
+static const tdmf_section_kind *section(const tdmf_ensemble *ensemble) {
+    return &tdmf_page_for(ensemble->map, false)->model->sections[0];
+}
+
+/* Gaits and the reduced map do not depend on the place, and a patch of ground does. */
+static bool may_have_patch(tdmf_refusal *why, const tdmf_ensemble_case *its_case,
+                           const tdmf_ensemble *ensemble) {
+    return tdmf_accepts_if(why,
+                           !tdmf_has_patch(its_case->model) ||
+                               (its_case->rules.gait_count == 0 && ensemble->map == TDMF_RETURN_MAP),
+                           TDMF_EXCLUDED, "ground.patch_end", 0,
+                           "a patch of ground excludes gaits to settle on and the reduced map");
+}
+
+static bool is_case(tdmf_refusal *why, const tdmf_ensemble_case *its_case, const tdmf_ensemble *ensemble) {
+    return tdmf_accepts_pointer(why, "cases[].model", its_case->model) &&
+           may_have_patch(why, its_case, ensemble) && tdmf_is_sound_ground(why, its_case, ensemble);
+}
+
+static bool is_checkpoint(const tdmf_ensemble_checkpoint *from, const tdmf_ensemble *ensemble) {
+    return from->mode >= 0 && tdmf_mode_on_part(tdmf_page_for(ensemble->map, false), from->mode) >= 0;
+}
+
+static bool is_sound(tdmf_refusal *why, const tdmf_ensemble *ensemble) {
+    return tdmf_accepts_if(why, !ensemble->notes, TDMF_EXCLUDED, "notes", 0, "only a page has notes") &&
+           tdmf_are_foot_positions(why, ensemble) &&
+           tdmf_accepts_number(why, "map", "1", (int)ensemble->map, TDMF_RETURN_MAP, TDMF_REDUCED_MAP);
 }
 
 /* ---- the plain page ------------------------------------------------------------------------------------ */
@@ -97,7 +153,7 @@ static void prepare(tdmf_member *member) {
 }
 
 /* Puts the run at the apex that a runner starts from. Returns false where it is none. */
-static bool is_placed(tdmf_member *member, const double section[TDMF_SECTION_COUNT]) {
+static bool is_placed(tdmf_member *member, const double apex[TDMF_SECTION_COUNT]) {
     tdmf_page_run *run = member->run;
     tdmf_inputs inputs = member->its_case->inputs;
     tdmf_motion motion = {.time = 0.0};
@@ -109,12 +165,12 @@ static bool is_placed(tdmf_member *member, const double section[TDMF_SECTION_COU
         inputs.ground.slope = run->p[member->ground.slope];
     }
     if (member->ensemble->map == TDMF_REDUCED_MAP) {
-        member->section->enter(run->p, member->held, section, run->x);
+        member->section->enter(run->p, member->held, apex, run->x);
         const runner_states x = states_of(member);
         memcpy(motion.state, &x, sizeof x);
     } else {
         runner_states x = states_of(member);
-        tdmf_section_state_at(system, member->end->foot_x, section, motion.state);
+        tdmf_section_state_at(system, member->end->foot_x, apex, motion.state);
         memcpy(&x.seen_x, motion.state + TDMF_FOOT_X, TDMF_MECHANICAL_COUNT * sizeof(double));
         tdmf_take_states(&member->page, &x, run->x);
     }
@@ -134,13 +190,12 @@ static bool is_too_stiff(const tdmf_member *member, double length) {
 }
 
 static bool start(tdmf_member *member) {
-    const double *section = member->ensemble->starts[member->index];
-    if (!is_placed(member, section)) {
+    const double *apex = member->ensemble->starts[member->index];
+    if (!is_placed(member, apex)) {
         return tdmf_give_up(member, TDMF_FATE_NO_START);
     }
     member->run->stop_event = member->ground.begins;
-    return !is_too_stiff(member, section[TDMF_SECTION_LEG_LENGTH]) ||
-           tdmf_give_up(member, TDMF_FATE_UNSOLVED);
+    return !is_too_stiff(member, apex[TDMF_SECTION_LEG_LENGTH]) || tdmf_give_up(member, TDMF_FATE_UNSOLVED);
 }
 
 /* A run of the reduced map starts anew at an apex where something may change: its leg is placed as it is set.
@@ -168,17 +223,11 @@ static void resume(tdmf_member *member) {
     }
 }
 
-static bool ends_elsewhere(tdmf_member *member, tdmf_run_outcome outcome) {
+/* The foot of the reduced map may never come down. */
+static tdmf_fate too_long(const tdmf_member *member) {
     const int mode = tdmf_mode_in_whole(&member->page, member->run->mode);
-    if (outcome == TDMF_RUN_ENDED) {
-        return tdmf_give_up(member, mode == MODE_fallen ? TDMF_FATE_FELL : TDMF_FATE_NO_STRIDE);
-    }
-    if (outcome != TDMF_RUN_ARRIVED) {
-        return tdmf_give_up(member, TDMF_FATE_UNSOLVED);
-    }
-    const bool has_no_stride = member->ensemble->map == TDMF_REDUCED_MAP && mode == MODE_flight_calm;
-    return tdmf_give_up(member,
-                        has_no_stride ? TDMF_FATE_NO_STRIDE : TDMF_FATE_UNDECIDED); /* it takes too long */
+    return member->ensemble->map == TDMF_REDUCED_MAP && mode == MODE_flight_calm ? TDMF_FATE_NO_STRIDE
+                                                                                 : TDMF_FATE_UNDECIDED;
 }
 
 /* ---- the end of a stride ------------------------------------------------------------------------------- */
@@ -186,18 +235,19 @@ static bool ends_elsewhere(tdmf_member *member, tdmf_run_outcome outcome) {
 static void record_apex(tdmf_member *member) {
     tdmf_ensemble_end *end = member->end;
     const tdmf_section_kind *whole = &member->whole->sections[0];
+    const runner_states x = states_of(member);
     for (int i = member->section->count; i < whole->count; ++i) { /* the leg as the reduced map places it */
-        end->apex[i] = state_at(member, whole->coordinates[i]);
+        end->apex[i] = ((const double *)&x)[whole->coordinates[i]];
     }
-    end->distance += STATE(member, distance);
-    end->hip_work = STATE(member, work);
-    end->leg_work = STATE(member, leg_work);
+    end->distance += x.distance;
+    end->hip_work = x.work;
+    end->leg_work = x.leg_work;
     end->work = end->hip_work + end->leg_work;
-    end->external_work = STATE(member, external_work);
-    end->damper_loss = STATE(member, damper_loss);
-    end->friction_loss = STATE(member, friction_loss);
-    end->impact_loss = STATE(member, impact_loss);
-    end->word_code = tdmf_short_word_code(STATE(member, word_code));
+    end->external_work = x.external_work;
+    end->damper_loss = x.damper_loss;
+    end->friction_loss = x.friction_loss;
+    end->impact_loss = x.impact_loss;
+    end->word_code = tdmf_short_word_code(x.word_code);
 }
 
 /* Records the stride that has closed between these ends. */
@@ -222,31 +272,22 @@ static double longest_stride(const tdmf_member *member) {
     return TDMF_LONGEST_STRIDE * member->its_case->model->scales.time;
 }
 
-static void scales(const tdmf_member *member, double of[TDMF_POINT_LIMIT]) {
-    tdmf_section_scales(member->its_case->model, of);
-}
-
 static tdmf_model_kind model(const tdmf_ensemble *ensemble, bool is_plain) {
     return tdmf_model_in_lanes(tdmf_page_for(ensemble->map, is_plain)->model);
 }
 
-static void settle_in(tdmf_member *member, bool is_plain, int *places) {
+static void settle_in(tdmf_member *member, bool is_plain) {
     member->page = *tdmf_page_for(member->ensemble->map, is_plain);
     member->whole = &tdmf_runner_model;
     member->section = &member->page.model->sections[0];
-    member->ground = tdmf_places_of_ground(member->page.model);
-    for (int i = 0; i < TDMF_PAGE_STATE_COUNT; ++i) {
-        places[i] = tdmf_state_on_part(&member->page, i);
-    }
-    member->places = places;
 }
 
 static const tdmf_member_kind kind = {
-    .is_sound = tdmf_are_sound_runners,
-    .is_case = tdmf_is_runner_case,
-    .is_checkpoint = tdmf_is_runner_checkpoint,
-    .range = tdmf_range_of_setting,
-    .coordinates = tdmf_runner_coordinates,
+    .is_sound = is_sound,
+    .is_case = is_case,
+    .is_checkpoint = is_checkpoint,
+    .range = range,
+    .section = section,
     .numbers = numbers,
     .place = place,
     .model = model,
@@ -257,9 +298,8 @@ static const tdmf_member_kind kind = {
     .start = start,
     .resume = resume,
     .start_anew = start_anew,
-    .ends_elsewhere = ends_elsewhere,
+    .too_long = too_long,
     .record_apex = record_apex,
     .record_stride = record_stride,
-    .scales = scales,
 };
 const tdmf_member_kind *const tdmf_runner_kind = &kind;

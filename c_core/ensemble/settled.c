@@ -3,10 +3,6 @@
 
 #include <math.h>
 
-static int coordinates_of(const tdmf_member *member) {
-    return member->kind->coordinates(member->ensemble);
-}
-
 static bool is_in_ball(const tdmf_ball *ball, const double *gait, const double *apex, int coordinates) {
     double square = 0.0;
     for (int i = 0; i < coordinates; ++i) {
@@ -29,10 +25,20 @@ static bool is_near(const double *gait, const double *apex, const double *scales
     return true;
 }
 
+/* Where strides begin anew, the states held are restored with the next one, and there may be many. */
+static void write_scales(const tdmf_member *member, double scales[TDMF_POINT_LIMIT]) {
+    double of_ground[TDMF_PLACE_LIMIT], of_events[TDMF_PAGE_EVENT_LIMIT];
+    double *of_states = member->begins_anew ? member->held : of_ground;
+    member->page.model->scales(member->run->p, of_states, of_events);
+    for (int i = 0; i < member->section->count; ++i) {
+        scales[i] = of_states[member->section->coordinates[i]];
+    }
+}
+
 int tdmf_gait_of_ball(const tdmf_member *member, const double apex[TDMF_POINT_LIMIT]) {
     const tdmf_ensemble_rules *rules = &member->its_case->rules;
     for (int gait = 0; rules->balls && gait < rules->gait_count; ++gait) {
-        if (is_in_ball(&rules->balls[gait], rules->gaits[gait], apex, coordinates_of(member))) {
+        if (is_in_ball(&rules->balls[gait], rules->gaits[gait], apex, member->section->count)) {
             return gait;
         }
     }
@@ -45,9 +51,9 @@ int tdmf_gait_reached(const tdmf_member *member, const double apex[TDMF_POINT_LI
     if (rules->gait_count == 0) {
         return -1;
     }
-    member->kind->scales(member, scales);
+    write_scales(member, scales);
     for (int gait = 0; gait < rules->gait_count; ++gait) {
-        if (is_near(rules->gaits[gait], apex, scales, rules->distance, coordinates_of(member))) {
+        if (is_near(rules->gaits[gait], apex, scales, rules->distance, member->section->count)) {
             return gait;
         }
     }

@@ -1,7 +1,7 @@
 """The ground: segments along x, each a sloped line with a friction of its own.
 
-A patch of other friction, terrain and drawn steps are ways to fill the table of segments. The line of a
-segment is pending until the foot is above it in flight.
+A patch of other friction and terrain are ways to fill the table of segments. The line of a segment, or one
+that is set at an apex, is pending until the foot is above it in flight.
 """
 
 from ..hybrid import Model, Record, cos, event, output, parameter, select, setting, sin, state, table
@@ -23,7 +23,6 @@ class Ground(Model):
         0, "m", "Position where the patch ends; ground.patch_begin for no patch", least=-1e9,
         most=1e9)
     patch_friction = parameter(0.1, "1", "Friction coefficient on the patch, mu_p", least=0, most=1e6)
-    by_stride = parameter(False, "1", "True if a new segment comes at each apex, and not at its border")
     trips = parameter(False, "1", "True if a foot that meets the face of a higher segment falls")
     keeps_friction = parameter(
         False, "1", "True if a stance keeps the friction of the segment on which it began")
@@ -91,12 +90,6 @@ class Ground(Model):
     def passes_begin(r):
         """The foot is above the segment before."""
         return r.moves_onto(r.segment - 1)
-
-    @event("flight", when=lambda r: -1, counted=False,
-           only=lambda r: r.by_stride > 0 and r.segment < r.count)
-    def next_segment_comes(r):
-        """A stride has closed, and its successor has a segment of its own."""
-        return r.replace(**r.on_segment(r.segment + 1))
 
     def set_height(r):
         """Height at x = 0 of the line of the segment."""

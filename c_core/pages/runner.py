@@ -458,10 +458,10 @@ class Runner(Hip, Friction, Leg, Ground, Stride, Model):
 class RunnerOnOneLine(Runner):
     """The runner on ground that is one line, of one friction."""
 
-    patch_begin = patch_end = patch_friction = by_stride = trips = keeps_friction = 0
+    patch_begin = patch_end = patch_friction = trips = keeps_friction = 0
     segment = segment_begin = segment_end = segment_height = segment_slope = 0
     friction_ahead = friction_behind = -1
-    ground_segment = passes_end = passes_begin = next_segment_comes = crosses_border = patch_has_length = None
+    ground_segment = passes_end = passes_begin = crosses_border = patch_has_length = None
 
     def on_segment(r, number):
         """No changes, because there is one segment."""

@@ -1,1 +1,1 @@
-#define FMU_GUID "{e23ddc60-4693-084b-0126-09112419ab9c}"
+#define FMU_GUID "{bf19f037-68dd-da93-0180-57ff482de4ec}"

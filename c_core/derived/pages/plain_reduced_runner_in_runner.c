@@ -7,11 +7,11 @@ extern const tdmf_model_kind tdmf_plain_reduced_runner_model;
 extern const tdmf_page_part tdmf_plain_reduced_runner_part;
 
 static const int modes[] = {0, -1, 3, 4, 1, 2, -1, -1};
-static const int parameters[] = {8, 9, 10, 11, 12, 13, 14, 20, 23};
+static const int parameters[] = {7, 8, 9, 10, 11, 12, 13, 19, 22};
 static const int states[] = {0, 1, 2, 6, 7, 9, 10, 11, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26,
     27, 28, 29, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 59, 60, 61, 62, 63, 64, 65,
     66, 67, 68, 69, 70, 71, 72, 73, 74, 75, 76, 77, 78, 83, 87, 88, 89, 90, 92, 93, 94, 95, 96, 97, 103, 105};
-static const int events[] = {4, 7, 8, 9, 11, 15, 16, 19, 20, 21};
+static const int events[] = {3, 6, 7, 8, 10, 14, 15, 18, 19, 20};
 static const int copies[][2] = {{12, 11}};
 /* Number of effects that act on the whole runner `r` and are missing on the plain page. */
 static real excess(const real *parameters, const real *states) {

@@ -3619,41 +3619,6 @@ static real vary_guard_flight_calm_passes_begin(const real *parameters, const re
         - dx->segment_begin;
 }
 
-/* next_segment_comes: A stride has closed, and its successor has a segment of its own. */
-static int react_flight_calm_next_segment_comes(const real *parameters, const real *states,
-    const tdmf_table *tables, real *after, const int *next) {
-    const runner_parameters *p = (const void *)parameters;
-    const runner_states *x = (const void *)states;
-    runner_states *y = (void *)after;
-    const real segment_plus_by_1 = x->segment + 1.0;
-    const real end = select(p->patch_end > p->patch_begin, p->patch_end, 1000000000000.0);
-    const real begin = select(p->patch_end > p->patch_begin, p->patch_begin, 1000000000000.0);
-    const real friction = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_friction,
-        segment_plus_by_1, select(real_abs(segment_plus_by_1 - 1.0) > 0.0, -1.0, p->patch_friction));
-    y->segment = segment_plus_by_1;
-    y->segment_begin = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_begin, segment_plus_by_1,
-        select(segment_plus_by_1 > 0.0, select(segment_plus_by_1 > 1.0, end, begin), -1000000000000.0));
-    y->segment_end = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_end, segment_plus_by_1,
-        select(segment_plus_by_1 > 0.0, select(segment_plus_by_1 > 1.0, 1000000000000.0, end), begin));
-    y->segment_height = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_height,
-        segment_plus_by_1, 0.0);
-    y->segment_slope = looked_up(tables, TABLE_ground_segment, COLUMN_ground_segment_slope, segment_plus_by_1,
-        0.0);
-    y->friction_ahead = friction;
-    y->friction_behind = friction;
-    return next[0]; /* flight */
-}
-
-/* True if next_segment_comes is watched. */
-static real watches_flight_calm_next_segment_comes(const real *parameters, const real *states) {
-    const runner_parameters *p = (const void *)parameters;
-    const runner_states *x = (const void *)states;
-    if (p->by_stride > 0.0 && x->segment < x->count) {
-        return 1.0;
-    }
-    return 0.0;
-}
-
 /* ramp_ends: A ramp of the friction coefficient ends at 0. */
 static int react_flight_calm_ramp_ends(const real *parameters, const real *states, const tdmf_table *tables,
     real *after, const int *next) {
@@ -7413,7 +7378,6 @@ static void scales(const real *parameters, real *of_states, real *of_events) {
     of_states[105] = 1.0;
     of_events[EVENT_passes_end] = p->free_length;
     of_events[EVENT_passes_begin] = p->free_length;
-    of_events[EVENT_next_segment_comes] = 1.0;
     of_events[EVENT_ramp_ends] = 1.0;
     of_events[EVENT_begins] = 1.0;
     of_events[EVENT_wind_rises] = 1.0;
@@ -7533,10 +7497,6 @@ static const tdmf_guard_kind guards_flight_calm[] = {
     {.event = EVENT_passes_begin, .react = react_flight_calm_passes_begin,
         .vary_react = vary_react_flight_calm_passes_begin, .is_watched = watches_flight_calm_passes_begin,
         .vary_guard = vary_guard_flight_calm_passes_begin, .next = {MODE_flight_calm, MODE_fallen}},
-    {.event = EVENT_next_segment_comes, .react = react_flight_calm_next_segment_comes,
-        .vary_react = vary_react_start_of_run_passes_end,
-        .is_watched = watches_flight_calm_next_segment_comes, .vary_guard = vary_guard_start_of_run_begins,
-        .next = {MODE_flight_calm}},
     {.event = EVENT_ramp_ends, .react = react_flight_calm_ramp_ends,
         .vary_react = vary_react_slip_constant_ramp_ends, .is_watched = watches_slip_constant_ramp_ends,
         .vary_guard = vary_guard_slip_constant_ramp_ends, .next = {MODE_flight_calm}},
@@ -7662,10 +7622,6 @@ static const tdmf_guard_kind guards_flight_pushed[] = {
     {.event = EVENT_passes_begin, .react = react_flight_calm_passes_begin,
         .vary_react = vary_react_flight_calm_passes_begin, .is_watched = watches_flight_calm_passes_begin,
         .vary_guard = vary_guard_flight_calm_passes_begin, .next = {MODE_flight_pushed, MODE_fallen}},
-    {.event = EVENT_next_segment_comes, .react = react_flight_calm_next_segment_comes,
-        .vary_react = vary_react_start_of_run_passes_end,
-        .is_watched = watches_flight_calm_next_segment_comes, .vary_guard = vary_guard_start_of_run_begins,
-        .next = {MODE_flight_pushed}},
     {.event = EVENT_ramp_ends, .react = react_flight_calm_ramp_ends,
         .vary_react = vary_react_slip_constant_ramp_ends, .is_watched = watches_slip_constant_ramp_ends,
         .vary_guard = vary_guard_slip_constant_ramp_ends, .next = {MODE_flight_pushed}},
@@ -7729,7 +7685,7 @@ static const tdmf_mode_kind modes[] = {
         .vary_to_world = vary_to_world_slip_constant, .world_rates = world_rates_stick,
         .vary_world_rates = vary_world_rates_stick},
     {.motion = &tdmf_runner_motions[MODE_flight_calm], .open = open_flight_calm,
-        .vary_open = vary_open_flight_calm, .guard_count = 12, .guards = guards_flight_calm, .watch_count = 3,
+        .vary_open = vary_open_flight_calm, .guard_count = 11, .guards = guards_flight_calm, .watch_count = 3,
         .usual_count = 1, .watches = watches_flight_calm, .outputs = outputs_flight_calm,
         .vary_outputs = vary_outputs_flight_calm, .leave = leave_start_of_run,
         .vary_leave = vary_leave_start_of_run, .from_world = from_world_flight_calm,
@@ -7757,7 +7713,7 @@ static const tdmf_mode_kind modes[] = {
         .to_world = to_world_slip_constant, .vary_to_world = vary_to_world_slip_constant,
         .world_rates = world_rates_slip_falling, .vary_world_rates = vary_world_rates_slip_falling},
     {.motion = &tdmf_runner_motions[MODE_flight_pushed], .open = open_flight_pushed,
-        .vary_open = vary_open_flight_pushed, .guard_count = 11, .guards = guards_flight_pushed,
+        .vary_open = vary_open_flight_pushed, .guard_count = 10, .guards = guards_flight_pushed,
         .watch_count = 3, .usual_count = 1, .watches = watches_flight_pushed, .outputs = outputs_flight_calm,
         .vary_outputs = vary_outputs_flight_calm, .leave = leave_start_of_run,
         .vary_leave = vary_leave_start_of_run, .from_world = from_world_flight_calm,
@@ -7768,8 +7724,8 @@ static const tdmf_mode_kind modes[] = {
 
 static const tdmf_set_kind sets[] = {
     {.is_state = true, .index = 56, .set = set_extension},
-    {.is_state = false, .index = 15, .set = set_thrust},
-    {.is_state = false, .index = 17, .set = set_more_thrust},
+    {.is_state = false, .index = 14, .set = set_thrust},
+    {.is_state = false, .index = 16, .set = set_more_thrust},
     {.index = -1},
 };
 static const tdmf_section_kind sections[] = {
@@ -7797,15 +7753,14 @@ static const char *const state_names[] = {"time", "events", "last_event", "great
     "swing", "placing", "touchdown_time", "has_hopped", "hop_time", "was_placed", "placed_for", "rises_again",
     "work", "external_torque_rate", "has_fallen"};
 static const char *const parameter_names[] = {"ground_height", "ground_slope", "patch_begin", "patch_end",
-    "patch_friction", "by_stride", "trips", "keeps_friction", "body_mass", "foot_mass", "stiffness",
-    "damping", "free_length", "least_length", "gravity", "thrust", "notes_compression", "more_thrust",
-    "static_ratio", "stribeck_velocity", "drive_torque", "kp", "kd", "touchdown_angle", "liftoff_factor",
-    "retraction_rate", "swing_clamp", "more_angle", "more_torque"};
-static const char *const event_names[] = {"passes_end", "passes_begin", "next_segment_comes", "ramp_ends",
-    "begins", "wind_rises", "new_ground", "falls", "collapses", "apex", "apex_in_graze", "touchdown", "clamp",
-    "release", "greatest_compression", "mid_stance", "lift_off", "enters_layer", "leaves_layer",
-    "slips_forward", "slips_backward", "comes_to_rest", "crosses_border", "graze_to_contact",
-    "graze_to_flight"};
+    "patch_friction", "trips", "keeps_friction", "body_mass", "foot_mass", "stiffness", "damping",
+    "free_length", "least_length", "gravity", "thrust", "notes_compression", "more_thrust", "static_ratio",
+    "stribeck_velocity", "drive_torque", "kp", "kd", "touchdown_angle", "liftoff_factor", "retraction_rate",
+    "swing_clamp", "more_angle", "more_torque"};
+static const char *const event_names[] = {"passes_end", "passes_begin", "ramp_ends", "begins", "wind_rises",
+    "new_ground", "falls", "collapses", "apex", "apex_in_graze", "touchdown", "clamp", "release",
+    "greatest_compression", "mid_stance", "lift_off", "enters_layer", "leaves_layer", "slips_forward",
+    "slips_backward", "comes_to_rest", "crosses_border", "graze_to_contact", "graze_to_flight"};
 static const char *const output_names[] = {"pending", "torque", "normal_force", "tangential_force",
     "ground_force_x", "ground_force_y", "force_of_leg", "body_x", "body_y", "body_vx", "body_vy", "center_x",
     "center_y", "center_vx", "center_vy", "kinetic_energy", "potential_energy", "elastic_energy", "energy",
@@ -7820,16 +7775,16 @@ static const double state_defaults[] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 
     1.1268102275039307e-06, 4.039363331769765e-05, 0.0, 1.4, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0,
     0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.6, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0, 0.0,
     0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
-static const double parameter_defaults[] = {0.0, 0.0, 0.0, 0.0, 0.1, 0.0, 0.0, 0.0, 1.0, 0.1, 1.0, 0.2, 1.0,
-    0.05, 0.01, 0.0, 1.0, 0.0, 1.0, 0.0, 0.2, 0.1, 0.1, 0.6981317007977318, 1.2, 0.0, 0.0, 0.0, 0.0};
+static const double parameter_defaults[] = {0.0, 0.0, 0.0, 0.0, 0.1, 0.0, 0.0, 1.0, 0.1, 1.0, 0.2, 1.0, 0.05,
+    0.01, 0.0, 1.0, 0.0, 1.0, 0.0, 0.2, 0.1, 0.1, 0.6981317007977318, 1.2, 0.0, 0.0, 0.0, 0.0};
 static const double parameter_least[] = {-1000000000.0, -1.0, -1000000000.0, -1000000000.0, 0.0,
-    -1.7976931348623157e+308, -1.7976931348623157e+308, -1.7976931348623157e+308, 1e-09, 1e-12, 1e-09, 0.0,
-    1e-06, 1e-09, 1e-09, 0.0, -1.7976931348623157e+308, -1000000.0, 1.0, 0.0, -1e+18, 0.0, 0.0,
-    -1.5707963267948966, 0.0, -1000000000.0, -1.7976931348623157e+308, -3.141592653589793, -1e+18};
+    -1.7976931348623157e+308, -1.7976931348623157e+308, 1e-09, 1e-12, 1e-09, 0.0, 1e-06, 1e-09, 1e-09, 0.0,
+    -1.7976931348623157e+308, -1000000.0, 1.0, 0.0, -1e+18, 0.0, 0.0, -1.5707963267948966, 0.0, -1000000000.0,
+    -1.7976931348623157e+308, -3.141592653589793, -1e+18};
 static const double parameter_most[] = {1000000000.0, 1.0, 1000000000.0, 1000000000.0, 1000000.0,
-    1.7976931348623157e+308, 1.7976931348623157e+308, 1.7976931348623157e+308, 1000000000.0, 1000000000.0,
-    1000000000000.0, 1000000000000.0, 1000000.0, 1000000.0, 1000000.0, 1000000.0, 1.7976931348623157e+308,
-    1000000.0, 1000000.0, 1000000000.0, 1e+18, 1e+18, 1e+18, 1.5707963267948966, 100.0, 1000000000.0,
+    1.7976931348623157e+308, 1.7976931348623157e+308, 1000000000.0, 1000000000.0, 1000000000000.0,
+    1000000000000.0, 1000000.0, 1000000.0, 1000000.0, 1000000.0, 1.7976931348623157e+308, 1000000.0,
+    1000000.0, 1000000000.0, 1e+18, 1e+18, 1e+18, 1.5707963267948966, 100.0, 1000000000.0,
     1.7976931348623157e+308, 3.141592653589793, 1e+18};
 
 const tdmf_model_kind tdmf_runner_model = {
@@ -7847,9 +7802,9 @@ const tdmf_model_kind tdmf_runner_model = {
     .mode_names = mode_names,
     .state_count = 106,
     .state_names = state_names,
-    .parameter_count = 29,
+    .parameter_count = 28,
     .parameter_names = parameter_names,
-    .event_count = 25,
+    .event_count = 24,
     .event_names = event_names,
     .output_count = 21,
     .output_names = output_names,

@@ -6,11 +6,11 @@
 
 enum {MODE_start_of_run, MODE_slip_constant, MODE_stick, MODE_flight_calm, MODE_fallen, MODE_graze,
     MODE_slip_falling, MODE_flight_pushed, MODE_COUNT};
-enum {EVENT_passes_end, EVENT_passes_begin, EVENT_next_segment_comes, EVENT_ramp_ends, EVENT_begins,
-    EVENT_wind_rises, EVENT_new_ground, EVENT_falls, EVENT_collapses, EVENT_apex, EVENT_apex_in_graze,
-    EVENT_touchdown, EVENT_clamp, EVENT_release, EVENT_greatest_compression, EVENT_mid_stance, EVENT_lift_off,
-    EVENT_enters_layer, EVENT_leaves_layer, EVENT_slips_forward, EVENT_slips_backward, EVENT_comes_to_rest,
-    EVENT_crosses_border, EVENT_graze_to_contact, EVENT_graze_to_flight, EVENT_COUNT};
+enum {EVENT_passes_end, EVENT_passes_begin, EVENT_ramp_ends, EVENT_begins, EVENT_wind_rises, EVENT_new_ground,
+    EVENT_falls, EVENT_collapses, EVENT_apex, EVENT_apex_in_graze, EVENT_touchdown, EVENT_clamp,
+    EVENT_release, EVENT_greatest_compression, EVENT_mid_stance, EVENT_lift_off, EVENT_enters_layer,
+    EVENT_leaves_layer, EVENT_slips_forward, EVENT_slips_backward, EVENT_comes_to_rest, EVENT_crosses_border,
+    EVENT_graze_to_contact, EVENT_graze_to_flight, EVENT_COUNT};
 enum {OUTPUT_pending, OUTPUT_torque, OUTPUT_normal_force, OUTPUT_tangential_force, OUTPUT_ground_force_x,
     OUTPUT_ground_force_y, OUTPUT_force_of_leg, OUTPUT_body_x, OUTPUT_body_y, OUTPUT_body_vx, OUTPUT_body_vy,
     OUTPUT_center_x, OUTPUT_center_y, OUTPUT_center_vx, OUTPUT_center_vy, OUTPUT_kinetic_energy,
@@ -27,7 +27,6 @@ typedef struct {
     real patch_begin; /* m: Position where the patch begins */
     real patch_end; /* m: Position where the patch ends; ground.patch_begin for no patch */
     real patch_friction; /* 1: Friction coefficient on the patch, mu_p */
-    real by_stride; /* 1: True if a new segment comes at each apex, and not at its border */
     real trips; /* 1: True if a foot that meets the face of a higher segment falls */
     real keeps_friction; /* 1: True if a stance keeps the friction of the segment on which it began */
     real body_mass; /* kg: Mass of the body, m */

@@ -1596,15 +1596,6 @@ static void guard_flight_calm_passes_begin(const real *constants, const real *se
     }
 }
 
-/* next_segment_comes: A stride has closed, and its successor has a segment of its own. */
-static void guard_flight_calm_next_segment_comes(const real *constants, const real *series, int order,
-    real *g) {
-    (void)constants, (void)series;
-    for (int k = 0; k < order; ++k) {
-        g[k] = constant_of(k, broadcast(-1.0));
-    }
-}
-
 /* ramp_ends: A ramp of the friction coefficient ends at 0. */
 static void guard_flight_calm_ramp_ends(const real *constants, const real *series, int order, real *g) {
     const flight_calm_series *s = (const void *)series;
@@ -1772,16 +1763,16 @@ static void bounds_flight_calm(const real *constants, const real *series, const 
     const interval span_12 = interval_at(broadcast(-1.0), broadcast(1.0));
     const interval span_13 = interval_product(span_11, span_12);
     const interval span_14 = interval_sum(span_8, span_13);
-    bounds[6] = span_14;
+    bounds[5] = span_14;
     const interval span_15 = interval_at(c->least_length, c->least_length);
     const interval span_16 = interval_difference(span_10, span_15);
-    bounds[7] = span_16;
+    bounds[6] = span_16;
     const interval span_17 = interval_at(c->body_mass_over_body_mass_plus_foot_mass,
         c->body_mass_over_body_mass_plus_foot_mass);
     const interval span_18 = interval_product(span_17, span_10);
     const interval span_19 = interval_product(span_18, span_12);
     const interval span_20 = interval_difference(span_8, span_19);
-    bounds[9] = span_20;
+    bounds[8] = span_20;
     if (watched >> 0 & 1) {
         const interval span_21 = interval_of_series(s->angle, power, order);
         const interval span_22 = interval_at(c->segment_end, c->segment_end);
@@ -1803,18 +1794,14 @@ static void bounds_flight_calm(const real *constants, const real *series, const 
         bounds[1] = span_27;
     }
     if (watched >> 2 & 1) {
-        const interval span_21 = interval_at(broadcast(-1.0), broadcast(-1.0));
+        const interval span_21 = interval_of_series(s->friction, power, 2);
         bounds[2] = span_21;
     }
     if (watched >> 3 & 1) {
-        const interval span_21 = interval_of_series(s->friction, power, 2);
+        const interval span_21 = interval_at(broadcast(-1.0), broadcast(-1.0));
         bounds[3] = span_21;
     }
     if (watched >> 4 & 1) {
-        const interval span_21 = interval_at(broadcast(-1.0), broadcast(-1.0));
-        bounds[4] = span_21;
-    }
-    if (watched >> 5 & 1) {
         const interval span_21 = interval_at(c->cos_of_set_slope, c->cos_of_set_slope);
         const interval span_22 = interval_at(c->set_height, c->set_height);
         const interval span_23 = interval_difference(span_1, span_22);
@@ -1826,11 +1813,25 @@ static void bounds_flight_calm(const real *constants, const real *series, const 
         const interval span_29 = interval_product(span_18, span_28);
         const interval span_30 = interval_difference(span_27, span_29);
         const interval span_31 = interval_at(-span_30.high, -span_30.low);
-        bounds[5] = span_31;
+        bounds[4] = span_31;
     }
-    if (watched >> 8 & 1) {
+    if (watched >> 7 & 1) {
         const interval span_21 = interval_of_rate(s->com_y, power, 2);
-        bounds[8] = span_21;
+        bounds[7] = span_21;
+    }
+    if (watched >> 9 & 1) {
+        const interval span_21 = interval_at(c->kp, c->kp);
+        const interval span_22 = interval_of_series(s->angle, power, order);
+        const interval span_23 = interval_at(c->liftoff_factor_times_liftoff_angle,
+            c->liftoff_factor_times_liftoff_angle);
+        const interval span_24 = interval_difference(span_22, span_23);
+        const interval span_25 = interval_product(span_21, span_24);
+        const interval span_26 = interval_at(-span_25.high, -span_25.low);
+        const interval span_27 = interval_at(c->kd, c->kd);
+        const interval span_28 = interval_of_series(s->rate, power, order);
+        const interval span_29 = interval_product(span_27, span_28);
+        const interval span_30 = interval_difference(span_26, span_29);
+        bounds[9] = span_30;
     }
     if (watched >> 10 & 1) {
         const interval span_21 = interval_at(c->kp, c->kp);
@@ -1844,32 +1845,18 @@ static void bounds_flight_calm(const real *constants, const real *series, const 
         const interval span_28 = interval_of_series(s->rate, power, order);
         const interval span_29 = interval_product(span_27, span_28);
         const interval span_30 = interval_difference(span_26, span_29);
-        bounds[10] = span_30;
-    }
-    if (watched >> 11 & 1) {
-        const interval span_21 = interval_at(c->kp, c->kp);
-        const interval span_22 = interval_of_series(s->angle, power, order);
-        const interval span_23 = interval_at(c->liftoff_factor_times_liftoff_angle,
-            c->liftoff_factor_times_liftoff_angle);
-        const interval span_24 = interval_difference(span_22, span_23);
-        const interval span_25 = interval_product(span_21, span_24);
-        const interval span_26 = interval_at(-span_25.high, -span_25.low);
-        const interval span_27 = interval_at(c->kd, c->kd);
-        const interval span_28 = interval_of_series(s->rate, power, order);
-        const interval span_29 = interval_product(span_27, span_28);
-        const interval span_30 = interval_difference(span_26, span_29);
         const interval span_31 = interval_at(-span_30.high, -span_30.low);
-        bounds[11] = span_31;
+        bounds[10] = span_31;
     }
-    if (watched >> 13 & 1) {
+    if (watched >> 12 & 1) {
         const interval span_21 = interval_at(c->inverse_cos_of_slope, c->inverse_cos_of_slope);
         const interval span_22 = interval_product(span_21, span_20);
-        bounds[13] = span_22;
+        bounds[12] = span_22;
     }
-    if (watched >> 14 & 1) {
+    if (watched >> 13 & 1) {
         const interval span_21 = interval_of_series(s->swing_torque, power, order);
         const interval span_22 = interval_square(span_21);
-        bounds[14] = span_22;
+        bounds[13] = span_22;
     }
 }
 
@@ -3497,15 +3484,6 @@ static void guard_flight_pushed_passes_begin(const real *constants, const real *
     }
 }
 
-/* next_segment_comes: A stride has closed, and its successor has a segment of its own. */
-static void guard_flight_pushed_next_segment_comes(const real *constants, const real *series, int order,
-    real *g) {
-    (void)constants, (void)series;
-    for (int k = 0; k < order; ++k) {
-        g[k] = constant_of(k, broadcast(-1.0));
-    }
-}
-
 /* ramp_ends: A ramp of the friction coefficient ends at 0. */
 static void guard_flight_pushed_ramp_ends(const real *constants, const real *series, int order, real *g) {
     const flight_pushed_series *s = (const void *)series;
@@ -3670,17 +3648,17 @@ static void bounds_flight_pushed(const real *constants, const real *series, cons
     const interval span_12 = interval_at(broadcast(-1.0), broadcast(1.0));
     const interval span_13 = interval_product(span_11, span_12);
     const interval span_14 = interval_sum(span_8, span_13);
-    bounds[5] = span_14;
+    bounds[4] = span_14;
     const interval span_15 = interval_at(c->least_length, c->least_length);
     const interval span_16 = interval_difference(span_10, span_15);
-    bounds[6] = span_16;
+    bounds[5] = span_16;
     const interval span_17 = interval_of_rate(s->com_y, power, 3);
-    bounds[7] = span_17;
+    bounds[6] = span_17;
     const interval span_18 = interval_at(c->body_mass_over_total_mass, c->body_mass_over_total_mass);
     const interval span_19 = interval_product(span_18, span_10);
     const interval span_20 = interval_product(span_19, span_12);
     const interval span_21 = interval_difference(span_8, span_20);
-    bounds[8] = span_21;
+    bounds[7] = span_21;
     if (watched >> 0 & 1) {
         const interval span_22 = interval_at(c->segment_end, c->segment_end);
         const interval span_23 = interval_of_series(s->sine, power, order);
@@ -3700,14 +3678,10 @@ static void bounds_flight_pushed(const real *constants, const real *series, cons
         bounds[1] = span_27;
     }
     if (watched >> 2 & 1) {
-        const interval span_22 = interval_at(broadcast(-1.0), broadcast(-1.0));
+        const interval span_22 = interval_of_series(s->friction, power, 2);
         bounds[2] = span_22;
     }
     if (watched >> 3 & 1) {
-        const interval span_22 = interval_of_series(s->friction, power, 2);
-        bounds[3] = span_22;
-    }
-    if (watched >> 4 & 1) {
         const interval span_22 = interval_at(c->cos_of_set_slope, c->cos_of_set_slope);
         const interval span_23 = interval_at(c->set_height, c->set_height);
         const interval span_24 = interval_difference(span_1, span_23);
@@ -3719,7 +3693,21 @@ static void bounds_flight_pushed(const real *constants, const real *series, cons
         const interval span_30 = interval_product(span_19, span_29);
         const interval span_31 = interval_difference(span_28, span_30);
         const interval span_32 = interval_at(-span_31.high, -span_31.low);
-        bounds[4] = span_32;
+        bounds[3] = span_32;
+    }
+    if (watched >> 8 & 1) {
+        const interval span_22 = interval_at(c->kp, c->kp);
+        const interval span_23 = interval_of_series(s->angle, power, order);
+        const interval span_24 = interval_at(c->liftoff_factor_times_liftoff_angle,
+            c->liftoff_factor_times_liftoff_angle);
+        const interval span_25 = interval_difference(span_23, span_24);
+        const interval span_26 = interval_product(span_22, span_25);
+        const interval span_27 = interval_at(-span_26.high, -span_26.low);
+        const interval span_28 = interval_at(c->kd, c->kd);
+        const interval span_29 = interval_of_series(s->rate, power, order);
+        const interval span_30 = interval_product(span_28, span_29);
+        const interval span_31 = interval_difference(span_27, span_30);
+        bounds[8] = span_31;
     }
     if (watched >> 9 & 1) {
         const interval span_22 = interval_at(c->kp, c->kp);
@@ -3733,32 +3721,18 @@ static void bounds_flight_pushed(const real *constants, const real *series, cons
         const interval span_29 = interval_of_series(s->rate, power, order);
         const interval span_30 = interval_product(span_28, span_29);
         const interval span_31 = interval_difference(span_27, span_30);
-        bounds[9] = span_31;
-    }
-    if (watched >> 10 & 1) {
-        const interval span_22 = interval_at(c->kp, c->kp);
-        const interval span_23 = interval_of_series(s->angle, power, order);
-        const interval span_24 = interval_at(c->liftoff_factor_times_liftoff_angle,
-            c->liftoff_factor_times_liftoff_angle);
-        const interval span_25 = interval_difference(span_23, span_24);
-        const interval span_26 = interval_product(span_22, span_25);
-        const interval span_27 = interval_at(-span_26.high, -span_26.low);
-        const interval span_28 = interval_at(c->kd, c->kd);
-        const interval span_29 = interval_of_series(s->rate, power, order);
-        const interval span_30 = interval_product(span_28, span_29);
-        const interval span_31 = interval_difference(span_27, span_30);
         const interval span_32 = interval_at(-span_31.high, -span_31.low);
-        bounds[10] = span_32;
+        bounds[9] = span_32;
     }
-    if (watched >> 12 & 1) {
+    if (watched >> 11 & 1) {
         const interval span_22 = interval_at(c->inverse_cos_of_slope, c->inverse_cos_of_slope);
         const interval span_23 = interval_product(span_22, span_21);
-        bounds[12] = span_23;
+        bounds[11] = span_23;
     }
-    if (watched >> 13 & 1) {
+    if (watched >> 12 & 1) {
         const interval span_22 = interval_of_series(s->swing_torque, power, order);
         const interval span_23 = interval_square(span_22);
-        bounds[13] = span_23;
+        bounds[12] = span_23;
     }
 }
 
@@ -3794,11 +3768,10 @@ static const int moving_stick[] = {72, 73, 74, 75, 80, 82, 83, 103, 56, 57, 58, 
     6, 7, 15}, divided_stick[] = {-1, -1, -1, -1, -1, -1, -1}, divisors_stick[] = {19, 18},
     integrals_stick[] = {7, -1, -1, -1}, factors_stick[] = {34, -1, -1, -1, -1, -1, -1, -1};
 static const tdmf_polynomial polynomials_flight_calm[] = {guard_flight_calm_passes_end,
-    guard_flight_calm_passes_begin, guard_flight_calm_next_segment_comes, guard_flight_calm_ramp_ends,
-    guard_flight_calm_wind_rises, guard_flight_calm_new_ground, guard_flight_calm_falls,
-    guard_flight_calm_collapses, guard_flight_calm_apex, guard_flight_calm_touchdown, guard_flight_calm_clamp,
-    guard_flight_calm_release, guard_flight_calm_power_of_hip, guard_flight_calm_height_of_foot,
-    guard_flight_calm_square_of_torque};
+    guard_flight_calm_passes_begin, guard_flight_calm_ramp_ends, guard_flight_calm_wind_rises,
+    guard_flight_calm_new_ground, guard_flight_calm_falls, guard_flight_calm_collapses,
+    guard_flight_calm_apex, guard_flight_calm_touchdown, guard_flight_calm_clamp, guard_flight_calm_release,
+    guard_flight_calm_power_of_hip, guard_flight_calm_height_of_foot, guard_flight_calm_square_of_torque};
 static const tdmf_vary_polynomial vary_observed_flight_calm[] = {d_observed_flight_calm_power_of_hip,
     d_observed_flight_calm_height_of_foot, d_observed_flight_calm_square_of_torque};
 static const int moving_flight_calm[] = {61, 62, 65, 68, 71, 80, 83, 103, 56, 57, 58, 87, 92, 0, 67, 70, 96},
@@ -3835,10 +3808,10 @@ static const int moving_slip_falling[] = {72, 73, 74, 75, 76, 77, 80, 82, 83, 89
     -1, -1, -1}, divisors_slip_falling[] = {21, 20}, integrals_slip_falling[] = {10, -1, -1, -1, -1},
     factors_slip_falling[] = {44, -1, -1, -1, -1, -1, -1, -1, -1, -1};
 static const tdmf_polynomial polynomials_flight_pushed[] = {guard_flight_pushed_passes_end,
-    guard_flight_pushed_passes_begin, guard_flight_pushed_next_segment_comes, guard_flight_pushed_ramp_ends,
-    guard_flight_pushed_new_ground, guard_flight_pushed_falls, guard_flight_pushed_collapses,
-    guard_flight_pushed_apex, guard_flight_pushed_touchdown, guard_flight_pushed_clamp,
-    guard_flight_pushed_release, guard_flight_pushed_power_of_hip, guard_flight_pushed_height_of_foot,
+    guard_flight_pushed_passes_begin, guard_flight_pushed_ramp_ends, guard_flight_pushed_new_ground,
+    guard_flight_pushed_falls, guard_flight_pushed_collapses, guard_flight_pushed_apex,
+    guard_flight_pushed_touchdown, guard_flight_pushed_clamp, guard_flight_pushed_release,
+    guard_flight_pushed_power_of_hip, guard_flight_pushed_height_of_foot,
     guard_flight_pushed_square_of_torque};
 static const tdmf_vary_polynomial vary_observed_flight_pushed[] = {d_observed_flight_pushed_power_of_hip,
     d_observed_flight_pushed_height_of_foot, d_observed_flight_pushed_square_of_torque};
