@@ -6,8 +6,9 @@ from itertools import pairwise
 import numpy as np
 import pytest
 from tdmf_slip.errors import InputError, RunError
-from tdmf_slip.numerics.following import Limits, Point, Problem, follow, halved, walk
+from tdmf_slip.numerics.following import Limits, Point, Problem, follow
 from tdmf_slip.numerics.newton import NotSolvedError, solve
+from tdmf_slip.numerics.walking import halved, walk
 
 
 class Root:

@@ -21,8 +21,8 @@ from ..errors import RunError, TdmfSlipError
 from ..library.gait import Gait
 from ..library.runner import Runner
 from ..library.strides import plain_stride
-from ..numerics.following import halved, walk
 from ..numerics.newton import GOOD_ENOUGH, Matrix, Vector, solve
+from ..numerics.walking import halved, walk
 from ..terminal.progress import progress_bar
 from .gait_problem import GaitProblem
 from .settled import around, settled_gaits

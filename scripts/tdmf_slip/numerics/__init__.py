@@ -1,1 +1,1 @@
-"""Numerical methods that know nothing of runners: Newton's method, and curves that are followed."""
+"""Numerical methods that know nothing of runners: Newton's method, walks by steps, and curves."""

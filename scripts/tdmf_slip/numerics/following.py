@@ -8,15 +8,16 @@ tangent has to find the old point. Otherwise the step may have led to another cu
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from itertools import count, dropwhile, pairwise
-from typing import Any, TypeVar
+from itertools import dropwhile, pairwise
+from typing import Any
 
 import numpy as np
 
 from ..errors import InputError, RunError
 from .newton import Matrix, Vector, solve
+from .walking import halved
 
 SHORTEST_STEP = 1e-7
 """Length over the scales: where no step of this length finds a point, the curve ends or has a corner."""
@@ -40,13 +41,8 @@ MAX_BACK = 100
 """Largest number of steps from beyond a corner back to it."""
 ITERATIONS, SHORTENINGS = 24, 12
 """Largest number of Newton's steps, and of lengths at which each is tried."""
-MAX_STEPS = 500
-"""Largest number of steps of a walk; most walks take fewer than a hundred."""
 CLOSED = "closed: back where it has been"
 """Reason why a curve ended that met itself."""
-
-Found = TypeVar("Found")
-Known = TypeVar("Known")
 
 
 @dataclass(frozen=True, eq=False)
@@ -463,49 +459,3 @@ def _way_to(problem: Problem, corner: Point, found: Point) -> list[Point]:
             break
         back.append(following)
     return []
-
-
-def halved(attempt: Callable[[float], Found], step: float, shortest: float) -> tuple[Found, float]:
-    """Result of an attempt with the longest of a step, its half, its quarter and so on, and that step.
-
-    Where no step as long as the shortest succeeds, the error of the last attempt is raised.
-    """
-    while True:
-        try:
-            return attempt(step), step
-        except (InputError, RunError):
-            step *= 0.5
-            if not abs(step) >= shortest:  # also where it is not a number
-                raise
-
-
-def walk(
-    known: Known,
-    begin: float,
-    end: float,
-    advance: Callable[[Known, float, float], Known],
-    *,
-    shortest: float,
-    first: float | None = None,
-) -> Iterator[tuple[float, Known]]:
-    """Results on the way from one value to another, each found from the one before.
-
-    Where `advance` fails the step is halved; where it succeeds the next step is twice as long. No step is
-    shorter than the shortest, nor is what it leaves of the way; else the last error is raised. A walk that
-    does not reach the end in `MAX_STEPS` steps raises RunError.
-    """
-    at, step = begin, end - begin if first is None else first
-
-    def attempt(step: float) -> tuple[float, Known]:
-        to = end if abs(end - at - step) < shortest else at + step
-        return to, advance(known, at, to)
-
-    for number in count():
-        if at == end:
-            return
-        if number == MAX_STEPS:
-            raise RunError(f"{MAX_STEPS} steps from {begin:g} towards {end:g} lead no farther than to {at:g}")
-        step = max(-abs(end - at), min(step, abs(end - at)))
-        (at, known), step = halved(attempt, step, shortest)
-        yield at, known
-        step *= 2.0

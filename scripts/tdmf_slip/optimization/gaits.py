@@ -26,7 +26,7 @@ from ..library.fixed_point import gait_near
 from ..library.gait import Gait
 from ..library.runner import Runner
 from ..library.strides import strides_from, varied_gait
-from ..numerics.following import walk
+from ..numerics.walking import walk
 
 AT_BOUND = 1e-9
 """Distance from a bound, over the width, at which the bound is active."""

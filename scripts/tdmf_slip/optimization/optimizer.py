@@ -31,7 +31,7 @@ from ..errors import RunError
 from ..library.gait import Gait
 from ..library.runner import Runner
 from ..library.strides import plain_stride
-from ..numerics.following import halved
+from ..numerics.walking import halved
 from ..terminal.progress import Bar
 from .border import Border, Region, best_along, best_on_edge, between, is_near
 from .gaits import Candidate, Gaits, Space, Spectrum
