@@ -79,6 +79,14 @@ def test_a_mean_depends_on_the_seed(gait):
     assert f", {whole.falls} of 200 runners fell>" in repr(whole)
 
 
+@pytest.mark.parametrize("way", [("--runners", 20), ("--rare",)], ids=["plain", "rare"])
+def test_the_command_draws_how_many_are_still_up(command, tmp_path, way):
+    pytest.importorskip("matplotlib")
+    status, out, _ = command("rough", "--roughness", 0.5, *way, "--plot", "falls.png")
+    assert status == 0 and "mean_strides" in out
+    assert (tmp_path / "falls.png").read_bytes().startswith(b"\x89PNG")
+
+
 def test_the_command_prints_the_mean(command):
     options = ("--roughness", "0.5", "--runners", "64", "--seed", "3", "--max-strides", "20")
     printed = command.json("rough", *options)

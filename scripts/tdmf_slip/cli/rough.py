@@ -33,6 +33,7 @@ from .workers import Workers
     option("--rare", is_flag=True),
     model=False,
     workers=True,
+    plot="the probability of still being up after so many strides",
 )
 def rough_command(
     options: RunnerOptions,
@@ -88,7 +89,7 @@ def rough_command(
         with workers.executor() as executor:
             counts = runners, seed, max_strides
             found = strides_to_fall(runner, ground, *counts, executor=executor, progress=True)
-    return Answer(found.as_json(), _text(found, runner))
+    return Answer(found.as_json(), _text(found, runner), lambda: found)
 
 
 def _text(found: FirstPassage | RareFalls, runner: Runner) -> str:
