@@ -1,5 +1,5 @@
-/* Many runners, each with its own disturbance, return to the default gait; and two steps of the classic SLIP,
- * a model of another page. */
+/* Many runners, each with its own disturbance, return to the default gait; which pages may run on rough
+ * ground; and two steps of the classic SLIP, a model of another page. */
 #include <tdmf_slip/ensemble.h>
 #include <tdmf_slip/tdmf_slip.h>
 
@@ -27,6 +27,11 @@ static bool classic_steps_cross(void) {
     tdmf_page_defaults(map.page, parameters, states);
     return tdmf_page_strides(&batch) && outcomes[0].outcome == TDMF_PAGE_CROSSED &&
            outcomes[1].outcome == TDMF_PAGE_CROSSED;
+}
+
+static void print_roughness(const char *name) {
+    const bool may_be_rough = tdmf_page_has_ground(tdmf_page_named(name));
+    printf("the ground of the page %s %s be rough\n", name, may_be_rough ? "may" : "cannot");
 }
 
 int main(void) {
@@ -64,6 +69,8 @@ int main(void) {
         settled += ends[i].fate == TDMF_FATE_SETTLED;
     }
     printf("%d of %d runners are back on the gait\n", settled, RUNNERS);
+    print_roughness("runner");
+    print_roughness("classic_slip");
     if (!classic_steps_cross())
         return 1;
     printf("both steps of the classic SLIP reach an apex\n");

@@ -15,7 +15,8 @@ SAYS = {
     "strides_shared": "+0-, speed 1.033652, cost of transport 0.366586",
     "own_solver": "10 strides, the last +0-0+ at speed 1.060856, t = 250.00146",
     "rough_ground": "stride,x,ground,word,speed",
-    "population": "200 of 200 runners are back on the gait",
+    "population": "200 of 200 runners are back on the gait\n"
+    "the ground of the page runner may be rough\nthe ground of the page classic_slip cannot be rough",
     "trajectory": "t = 5, x = 5.3100, y = 1.2935, normal force 0.0000",
     "derivatives": "d com.y / d leg.damping = 0.11934, by differences 0.11934",
     "gait": "20 strides closed on the way to the gait\n+0-0+ at 1.060856 m/s, largest eigenvalue 0.8556",
