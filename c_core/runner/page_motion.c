@@ -26,9 +26,8 @@ static void write_rates(const tdmf_inputs *rates, runner_states *x) {
 /* ---- time and heights ---------------------------------------------------------------------------------- */
 
 /* Sets the clock of the page where the caller has set the time of the motion anew. An event later than the
- * clock would keep the next events from counting. A touchdown at this instant counts as earlier than the
- * call, and so does a hop.
- */
+ * clock would keep the next events from counting, and a later hop the foot from landing. A touchdown at this
+ * instant counts as earlier than the call, and so does a hop if the time was set. */
 static void read_clock(const tdmf_motion *motion, tdmf_page_point *point) {
     runner_states *x = &point->x;
     if (motion->begun + x->time == motion->time) {
@@ -39,6 +38,7 @@ static void read_clock(const tdmf_motion *motion, tdmf_page_point *point) {
     }
     point->time = x->time;
     x->last_event = fmin(x->last_event, x->time);
+    x->hop_time = fmin(x->hop_time, x->time);
     if (x->touchdown_time >= x->time) {
         x->touchdown_time = nextafter(x->time, -INFINITY);
     }

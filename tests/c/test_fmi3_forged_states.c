@@ -224,6 +224,25 @@ TEST(a_number_that_cannot_be_is_refused_wherever_it_stands) {
     }
 }
 
+/* Without these checks a foot might graze for ever. */
+TEST(a_hop_that_cannot_have_been_is_refused) {
+    static const struct {
+        int state;
+        double forged;
+        const char *name;
+    } cases[] = {{TDMF_HIP_HAS_HOPPED, 0.5, "has_hopped"},
+                 {TDMF_HIP_HAS_HOPPED, NAN, "has_hopped"},
+                 {TDMF_HIP_HOP_TIME, NAN, "hop_time"},
+                 {TDMF_HIP_HOP_TIME, 57.0, "hop_time"}};
+    const size_t numbers = FORGE_CONTENT + offsetof(unit_run, motion.numbers);
+    for (size_t i = 0; i < COUNT_OF(cases); ++i) {
+        serialized state = serialize(&fmi3, new_on_its_way(STEPS));
+        const size_t place = numbers + (size_t)(UNIT_PARAMETER_COUNT + cases[i].state) * sizeof(double);
+        memcpy(state.bytes + place, &cases[i].forged, sizeof(double));
+        assert_refused(STEPS, &state, cases[i].name);
+    }
+}
+
 /* Beyond 1e100 s differences of times might overflow. */
 TEST(a_time_beyond_any_clock_is_refused) {
     static const double times[] = {1e101, -1e101, INFINITY, NAN};

@@ -95,3 +95,13 @@ TEST(before_the_first_event_the_last_one_was_at_the_start) {
         assert_true(OUTPUTS_OF(&run).event.last_time == times[k]);
     }
 }
+
+TEST(a_hop_later_than_the_clock_keeps_no_foot_from_landing) {
+    const reference_gait *gait = &reference_gaits[DEFAULT_GAIT];
+    simulation run = start_at(gait, 0.0, 0.0, 1e-11);
+    run.motion.state[TDMF_HIP_HAS_HOPPED] = 1.0;
+    run.motion.state[TDMF_HIP_HOP_TIME] = 1e9;
+    assert_int_equal(simulation_advance(&run, 4.1 * gait->period), TDMF_ARRIVED);
+    assert_int_equal(run.motion.state[TDMF_STRIDE_COUNT], 4);
+    assert_string_equal(last_stride_of(&run.motion).word, gait->word);
+}
