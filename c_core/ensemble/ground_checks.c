@@ -1,16 +1,14 @@
-/* Checks of the ground of a case, which do not depend on its page but for the places there. */
+/* Checks of the ground of a case, on the page of any model. */
 #include "ground.h"
 #include "request_checks.h"
 
 #include <float.h>
-
-/* Largest height and depth of the ground, m. */
-static const double largest_height = 1e9;
+#include <math.h>
 
 /* Largest distance of a foot from x = 0, m. */
 static const double largest_distance = 1e12;
 
-/* True if one of some settings is the number of the page at a place. */
+/* True if one of these settings is at this place of the page. */
 static bool is_set(const tdmf_ensemble *ensemble, const int *settings, int count, int place) {
     for (int i = 0; i < count; ++i) {
         if (tdmf_kind_of(ensemble)->place(settings[i]) == place) {
@@ -31,22 +29,22 @@ static bool is_set_alone(tdmf_refusal *why, const char *name, int place, const t
                            TDMF_EXCLUDED, name, 0, "a setting sets what is drawn or has to be constant");
 }
 
-/* A size by which something is drawn; 0: it is not. */
+/* Checks a size by which something is drawn. With a size of 0 nothing is drawn. */
 static bool is_drawn(tdmf_refusal *why, const char *name, double size, int place,
                      const tdmf_ensemble_rules *rules, const tdmf_ensemble *ensemble) {
     return size == 0.0 || (tdmf_accepts_number(why, name, "1", size, 0.0, DBL_MAX) &&
                            is_set_alone(why, name, place, rules, ensemble));
 }
 
-static bool are_heights(tdmf_refusal *why, const tdmf_terrain *terrain) {
+/* Heights of segments have the range of the page's ground height. */
+static bool are_heights(tdmf_refusal *why, const tdmf_terrain *terrain, double lowest, double highest) {
     const double least = terrain->heights != NULL ? 1.0 : -DBL_MAX;
     if (!tdmf_accepts_number(why, "cases[].rules.terrain.height_count", "1", (double)terrain->height_count,
                              least, DBL_MAX)) {
         return false;
     }
     for (int64_t i = 0; terrain->heights != NULL && i < terrain->height_count; ++i) {
-        if (!tdmf_accepts_element(why, "rules.terrain.heights[]", i, terrain->heights[i], -largest_height,
-                                  largest_height)) {
+        if (!tdmf_accepts_element(why, "rules.terrain.heights[]", i, terrain->heights[i], lowest, highest)) {
             return false;
         }
     }
@@ -74,7 +72,8 @@ static bool is_terrain(tdmf_refusal *why, const tdmf_ensemble_case *its_case, co
     }
     return tdmf_accepts_number(why, "cases[].rules.terrain.length", "m", rules->terrain.length,
                                TDMF_MIN_SEGMENT * scales[places.foot_x], DBL_MAX) &&
-           are_heights(why, &rules->terrain) &&
+           are_heights(why, &rules->terrain, fmax(model->parameter_least[places.height], -DBL_MAX),
+                       fmin(model->parameter_most[places.height], DBL_MAX)) &&
            tdmf_accepts_if(why, rules->gait_count == 0, TDMF_EXCLUDED, name, 0,
                            "a case with gaits to settle on has no terrain");
 }
