@@ -144,7 +144,7 @@ call_status enter_state(instance *fmu, call_state state) {
 
 bool array_is_given(const instance *fmu, const void *array, size_t count, size_t wanted) {
     if (count != wanted) {
-        answer(fmu, CALL_ERROR, "the array's length is %lu, not %lu", (unsigned long)count,
+        answer(fmu, CALL_ERROR, "the length of the array is %lu; it must be %lu", (unsigned long)count,
                (unsigned long)wanted);
         return false;
     }

@@ -114,7 +114,7 @@ CALL(Reset, ALWAYS_ALLOWED, (fmi3Instance c), reset(c))
 static bool counts_agree(const instance *fmu, size_t references, size_t values) {
     if (references != values) {
         answer(fmu, CALL_ERROR,
-               "value references: %lu, values: %lu; there must be as many, as every variable is a scalar",
+               "value references: %lu, values: %lu; both must be equal, because every variable is a scalar",
                (unsigned long)references, (unsigned long)values);
     }
     return references == values;

@@ -124,7 +124,7 @@ static inline bool is_exchange(const instance *fmu) {
     return fmu->run.interface == MODEL_EXCHANGE;
 }
 
-/* The numbers of a run: `_of` to read them, `_in` to write them, too. */
+/* The numbers of a run: functions in `_of` read them, functions in `_in` may write them. */
 static inline const double *parameters_of(const instance *fmu) {
     return fmu->run.motion.numbers;
 }
@@ -202,7 +202,7 @@ int number_of_bit(unsigned bit);
 
 /* ---- access.c: variables ------------------------------------------------------------------------------- */
 
-/* The place of a variable's value: `_of` to read it, `_in` to write it, too. */
+/* The place of a variable's value, to read it or to write it. */
 const double *place_of(const instance *fmu, fmu_storage storage, size_t offset);
 double *place_in(instance *fmu, fmu_storage storage, size_t offset);
 

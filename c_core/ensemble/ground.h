@@ -31,10 +31,10 @@ bool tdmf_are_foot_positions(tdmf_refusal *why, const tdmf_ensemble *ensemble);
 /* Attaches the terrain, if there is any, to the run, before the start. */
 void tdmf_lay_ground(tdmf_member *member);
 
-/* Puts a start on the segment of a terrain below its foot: states with which the start begins. */
+/* Writes the segment of a terrain below the foot into the states with which a run starts. */
 void tdmf_enter_segment(const tdmf_member *member, double *states);
 
-/* Writes the states in the world's coordinates, for which there is room; also over those of the run. */
+/* Writes the run's states in the world's coordinates. `states` may be the states of the run themselves. */
 void tdmf_see_from_world(const tdmf_member *member, double *states);
 
 /* True if the ground changes at apices. */
@@ -46,7 +46,7 @@ void tdmf_draw_ground(tdmf_member *member);
 /* Height at x = 0 of the line that is set, which may wait until the foot is above it. */
 double tdmf_ground_height(const tdmf_member *member);
 
-/* True if the foot is below the step that has just come, where feet trip. */
+/* True if feet trip on steps, and the foot is below the step that has just come. */
 bool tdmf_has_tripped(const tdmf_member *member);
 
 /* True if a line that was set still waits, because the foot is below it. */
@@ -55,7 +55,7 @@ bool tdmf_is_below_ground(const tdmf_member *member);
 /* Writes the place of the foot, and counts the height of an apex from the segment below the foot. */
 void tdmf_record_place(tdmf_member *member);
 
-/* The line that is set, in a checkpoint. */
+/* Write the line that is set into a checkpoint, and read it. */
 void tdmf_save_ground(const tdmf_member *member, tdmf_ensemble_checkpoint *checkpoint);
 void tdmf_load_ground(tdmf_member *member, const tdmf_ensemble_checkpoint *checkpoint);
 

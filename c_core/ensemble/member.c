@@ -29,7 +29,7 @@ int64_t tdmf_open_record(const tdmf_member *member) {
                : -1;
 }
 
-/* Before the start nothing depends on a number yet. */
+/* Before the start nothing depends on a number yet, so that it is written directly. */
 void tdmf_member_set(tdmf_member *member, bool is_state, int place, double value) {
     double *states = member->has_started ? member->run->x : member->held;
     double *numbers = is_state ? states : member->run->p;
@@ -294,8 +294,8 @@ bool tdmf_is_of_model(const tdmf_ensemble_checkpoint *from, const tdmf_ensemble 
            from->section == own.section;
 }
 
-/* The mode of a run on the ensemble's page. Ends that the page does not have are one of its own, in the same
- * coordinates. */
+/* The mode of a run on the ensemble's page. An end that this page does not have becomes one of its own ends,
+ * which has the same coordinates. */
 static int mode_in_whole(const tdmf_member *member) {
     const int known = tdmf_mode_in_whole(&member->page, member->run->mode);
     int mode = known < 0 ? 0 : known;
@@ -305,7 +305,7 @@ static int mode_in_whole(const tdmf_member *member) {
     return mode;
 }
 
-/* A run of which each stride begins anew needs no more than its end. */
+/* A run whose strides begin anew goes on from its end alone. */
 static void write_checkpoint(const tdmf_member *member) {
     if (!member->ensemble->checkpoints) {
         return;
@@ -329,7 +329,7 @@ static void write_checkpoint(const tdmf_member *member) {
     }
 }
 
-/* The point of the section, the time, and the place. */
+/* Writes the point of the section, the time, and the place into the end. */
 static void record_apex(tdmf_member *member) {
     const tdmf_section_kind *section = member->section;
     const tdmf_page_run *run = member->run;

@@ -33,7 +33,7 @@ typedef struct {
     const tdmf_ensemble_case *its_case;
     tdmf_ensemble_end *end;
     tdmf_page_run *run;
-    double *held;                        /* states with which the run has begun */
+    double *held;                        /* states of the start, which settings before it change */
     double *until;                       /* time limit of its stride, s */
     double begun;                        /* time at which the stride began, s */
     bool has_started;                    /* false: the event of the start is next */
@@ -114,7 +114,7 @@ bool tdmf_has_settings(const tdmf_member *member);
 /* True if a law or the request sets this one. */
 bool tdmf_is_setting(const tdmf_member *member, int setting);
 
-/* Begins a stride, on whose settings and ground everything depends. Returns false where the run has ended. */
+/* Begins a stride whose settings are written: draws its ground. Returns false where the foot trips on it. */
 bool tdmf_begin_stride(tdmf_member *member);
 
 /* Writes the settings of the stride that begins, if there are any. */

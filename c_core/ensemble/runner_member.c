@@ -1,4 +1,5 @@
-/* The runner as a member of an ensemble: its page, its ground, and what is set at its apices. */
+/* The runner as a member of an ensemble: its pages, its settings, its start, and the quantities of strides
+ * that other pages do not have. */
 #include "ground.h"
 
 #include "mapped_stride.h"
@@ -138,8 +139,7 @@ static bool is_plain(const tdmf_ensemble *ensemble, int64_t index) {
     return !has_extended && tdmf_suits_plain_page(&point);
 }
 
-/* ---- the start of a run, and an apex --------------------------------------------------------------------
- */
+/* ---- the start of a run -------------------------------------------------------------------------------- */
 
 static void prepare(tdmf_member *member) {
     const tdmf_page_part *page = &member->page;
@@ -212,7 +212,7 @@ static bool start_anew(tdmf_member *member) {
     return true;
 }
 
-/* Gives inputs that an earlier call has set their own values again. */
+/* Resets inputs that an earlier call has set, and that nothing sets in this one, to those of the case. */
 static void resume(tdmf_member *member) {
     for (int i = 0; i < TDMF_INPUT_COUNT; ++i) {
         const int number = tdmf_input_ranges[i].place - TDMF_PAGE_PARAMETER_COUNT;

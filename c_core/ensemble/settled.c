@@ -25,10 +25,11 @@ static bool is_near(const double *gait, const double *apex, const double *scales
     return true;
 }
 
-/* Where strides begin anew, the states held are restored with the next one, and there may be many. */
+/* Where strides begin anew, the page may have more states than there is room for here. The states held are
+ * free there, because the next stride restores them. */
 static void write_scales(const tdmf_member *member, double scales[TDMF_POINT_LIMIT]) {
-    double of_ground[TDMF_PLACE_LIMIT], of_events[TDMF_PAGE_EVENT_LIMIT];
-    double *of_states = member->begins_anew ? member->held : of_ground;
+    double room[TDMF_PLACE_LIMIT], of_events[TDMF_PAGE_EVENT_LIMIT];
+    double *of_states = member->begins_anew ? member->held : room;
     member->page.model->scales(member->run->p, of_states, of_events);
     for (int i = 0; i < member->section->count; ++i) {
         scales[i] = of_states[member->section->coordinates[i]];

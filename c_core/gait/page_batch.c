@@ -78,7 +78,7 @@ static void finish(const tdmf_page_batch *batch, int64_t number, const tdmf_page
     batch->ends[number] = tdmf_end_of_page_stride(&map, part, r, outcome);
 }
 
-/* Makes those of some strides that run on a part, of which not all may be accepted. */
+/* Makes the strides of a range that run on a part. Strides whose numbers are refused are left out. */
 static bool run_on(const tdmf_page_part *part, const tdmf_page_batch *batch, int64_t first, int64_t count,
                    size_t size, room *of) {
     const tdmf_page_map *map = batch->map;

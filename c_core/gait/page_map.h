@@ -34,7 +34,8 @@ const tdmf_page_entry *tdmf_entry_of(const tdmf_page *page);
 /* The page on which a stride of a map runs: the plain one where it has all that acts and all that varies. */
 const tdmf_page_part *tdmf_part_for_stride(const tdmf_page_map *map);
 
-/* Numbers of memory for a stride of a map, of which a run in a batch needs the first ones. */
+/* Size of the memory for a stride of a map, in numbers. A run in a batch needs no working memory of its own.
+ */
 size_t tdmf_stride_memory_size(const tdmf_page_map *map, bool is_in_batch);
 
 /* A stride of a map from a point of its section, as a run on a part in memory. */
@@ -49,7 +50,7 @@ int tdmf_unmet_requirement(const tdmf_page *page, const tdmf_page_run *r);
 void tdmf_read_page_stride(const tdmf_page_map *map, const tdmf_page_part *part, const tdmf_page_run *r,
                            double *states, double *d_states);
 
-/* Result of a stride on a part, also of one that ends where it crosses the section. Writes the events. */
+/* Result of a stride on a part. Writes the map's events. A run that ends at the section has crossed it. */
 tdmf_page_end tdmf_end_of_page_stride(const tdmf_page_map *map, const tdmf_page_part *part,
                                       const tdmf_page_run *r, tdmf_run_outcome outcome);
 

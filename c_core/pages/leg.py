@@ -192,7 +192,11 @@ class Leg(Model):
                       vx=foot.vx + share * body.vx, vy=foot.vy + share * body.vy)
 
     def body(r):
-        """Position and velocity of the body. In flight a light foot may be millions of times as fast."""
+        """Position and velocity of the body.
+
+        In flight they are taken from the centre of mass: a light foot may be millions of times as fast, and
+        its rounding errors as large.
+        """
         body = r.body_from_foot()
         if r.seen_in == "flight":
             share = r.foot_mass / (r.body_mass + r.foot_mass)

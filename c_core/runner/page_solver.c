@@ -47,8 +47,7 @@ tdmf_guard tdmf_guard_of_event(int event) {
     }
 }
 
-/* Events that go on at an instant of the clock are a chain if no step was made, else steps too short for it.
- */
+/* An endless chain is one of events if no step was made in it, else one of steps too short for the clock. */
 static tdmf_outcome outcome_of(const tdmf_page_solver *s, tdmf_run_outcome outcome) {
     switch (outcome) {
     case TDMF_RUN_ARRIVED:

@@ -25,8 +25,8 @@ int tdmf_state_on_part(const tdmf_page_part *part, int of_whole);
 int tdmf_mode_on_part(const tdmf_page_part *part, int of_whole);
 int tdmf_event_on_part(const tdmf_page_part *part, int of_whole);
 
-/* True if the part has all parameters and states of the whole page that are not 0 in these numbers: changes
- * along a direction. Either pointer may be NULL. */
+/* True if the part has every parameter and state of the whole page that changes along a direction. Either
+ * pointer may be NULL. */
 bool tdmf_part_varies(const tdmf_page_part *part, const tdmf_model_kind *whole, const double *dp,
                       const double *dx);
 

@@ -421,15 +421,15 @@ static inline mask reaches(const page_step *step, const real *g, real floor, rea
  *
  *  - Zero: the first derivative that is not zero decides. A guard that falls is due, unless it rises again
  *    before it is clearly below zero: an event before it may have been located as roughly as that. If its
- *    event was just taken, a first derivative may be the rounding error of an event that this one undoes.
+ *    event was just taken, its first derivative may be a rounding error, and has to be clear.
  *  - Hardly below zero where a mode begins, as rounding leaves a guard that is zero there: due if it falls.
  *    If its event was just taken, it has to fall clearly.
  *  - Below zero: due, unless it has to cross zero.
- *  - In a long chain, which rounding errors make: an event that was taken in it is not due again before its
- *    guard is clearly below zero, or while its guard rises.
+ *  - In a long chain, which rounding errors make: an event of the chain is not due again before its guard is
+ *    clearly below zero, nor while its guard rises.
  *
- * A guard that is below zero and not due is watched from where it rises above zero, and one that is near zero
- * and not due for coming clearly below it. */
+ * A guard that is below zero and not due is watched from where it rises above zero. A guard that is near zero
+ * and not due is watched for where it falls clearly below zero. */
 static inline mask begin_below(page_step *step, int guard, real *g, real *floor, mask *searched, mask lanes) {
     guard_watch *watch = &step->guards[guard];
     const double late =

@@ -117,7 +117,7 @@ typedef struct {
 typedef struct {
     const tdmf_model *model;           /* its parameters */
     tdmf_inputs inputs;                /* inputs, held throughout */
-    const double *parameters, *states; /* numbers with which each stride of another page begins */
+    const double *parameters, *states; /* numbers of another page, with which its runs begin */
     tdmf_ensemble_rules rules;         /* rules of the run */
 } tdmf_ensemble_case;
 
@@ -175,8 +175,9 @@ typedef struct {
  *     const tdmf_refusal refusal = tdmf_run_ensemble(&ensemble, ends, NULL);
  */
 typedef struct {
-    const tdmf_page *page; /* a model that runs by the return map of a section, always from a point of it on;
-                              NULL: the runner, which goes by `map` */
+    const tdmf_page *page; /* a model that runs from points of a section. Its strides follow each other if its
+                              ground may vary; else each is a run of its own. NULL: the runner, which goes by
+                              `map` */
     int section;           /* section of the page */
     const tdmf_ensemble_notes *notes;         /* notes of a page; or NULL */
     const tdmf_ensemble_case *cases;          /* cases of the runners */
@@ -236,7 +237,8 @@ typedef struct {
     int64_t begun;           /* runners that have begun, from the first one on; the others have no end */
 } tdmf_ensemble_work;
 
-/* Returns whether the page has the ground of the runner's page, which may vary in an ensemble. */
+/* Returns whether the ground of a page may vary in an ensemble, because it is that of the runner's page.
+ * False for NULL. */
 TDMF_API bool tdmf_page_has_ground(const tdmf_page *page);
 
 /* Runs all runners and writes the end of each into `ends`. An end depends neither on the runner's neighbours
