@@ -78,11 +78,18 @@ static bool is_terrain(tdmf_refusal *why, const tdmf_ensemble_case *its_case, co
                            "a case with gaits to settle on has no terrain");
 }
 
+static bool are_all_weights(tdmf_refusal *why, const tdmf_ensemble_rules *rules) {
+    return tdmf_are_weights(why, "rules.step_weights[]", rules->step_weights,
+                            "cases[].rules.step_weight_count", rules->step_weight_count) &&
+           tdmf_are_weights(why, "rules.friction_weights[]", rules->friction_weights,
+                            "cases[].rules.friction_weight_count", rules->friction_weight_count);
+}
+
 bool tdmf_is_sound_ground(tdmf_refusal *why, const tdmf_ensemble_case *its_case,
                           const tdmf_ensemble *ensemble) {
     const tdmf_ensemble_rules *rules = &its_case->rules;
     if (rules->roughness == 0.0 && rules->friction_spread == 0.0 && rules->terrain.length == 0.0) {
-        return true;
+        return are_all_weights(why, rules);
     }
     const tdmf_model_kind model = tdmf_kind_of(ensemble)->model(ensemble, false);
     const tdmf_ground_places places = tdmf_places_of_ground(&model);
@@ -91,10 +98,7 @@ bool tdmf_is_sound_ground(tdmf_refusal *why, const tdmf_ensemble_case *its_case,
            is_drawn(why, "cases[].rules.roughness", rules->roughness, places.height, rules, ensemble) &&
            is_drawn(why, "cases[].rules.friction_spread", rules->friction_spread,
                     model.parameter_count + places.friction, rules, ensemble) &&
-           tdmf_are_weights(why, "rules.step_weights[]", rules->step_weights,
-                            "cases[].rules.step_weight_count", rules->step_weight_count) &&
-           tdmf_are_weights(why, "rules.friction_weights[]", rules->friction_weights,
-                            "cases[].rules.friction_weight_count", rules->friction_weight_count) &&
+           are_all_weights(why, rules) &&
            (rules->terrain.length == 0.0 || is_terrain(why, its_case, ensemble, &model));
 }
 

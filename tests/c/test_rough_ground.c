@@ -139,6 +139,19 @@ TEST(runners_whose_ground_waits_meet_it_alike_in_all_lanes) {
     assert_true(waited > 3 * RUNNERS / 2 && passed > RUNNERS);
 }
 
+/* Weights are checked also where nothing is drawn. */
+TEST(refuses_weights_that_are_no_numbers) {
+    static const double none = NAN;
+    for (int i = 0; i < 4; ++i) {
+        crowd *crowd = gather_before_high_steps(0.0);
+        tdmf_ensemble_rules *rules = &crowd->cases[0].rules;
+        rules->roughness = i < 2 ? 0.0 : 0.4;
+        *(i % 2 == 0 ? &rules->step_weights : &rules->friction_weights) = &none;
+        *(i % 2 == 0 ? &rules->step_weight_count : &rules->friction_weight_count) = 1;
+        assert_crowd_is_refused(crowd);
+    }
+}
+
 TEST(refuses_a_roughness_that_is_none) {
     static const double none[] = {-1e-300, NAN, INFINITY};
     crowd *crowd = gather_before_high_steps(0.0);
