@@ -174,13 +174,12 @@ def test_gaits_and_pictures_have_the_values_that_vary():
     assert plot(branch).axes[0].get_ylabel() == "apex.com_speed (m/s)"
 
 
-def test_all_points_have_the_parameter_of_their_gait():
+def test_all_points_have_the_parameter_of_their_gait(over_angle):
     """Also word borders and unclassified points, where the gait is the one just beyond."""
-    branch = continue_branch({FRICTION: 10.0}, {"hip.stance_torque": (0.2, 0.05)}, switch=False)
-    found = gaits_in(branch)
-    assert [gait.word for gait in found] == branch["word"].values.tolist()
+    found = gaits_in(over_angle)
+    assert [gait.word for gait in found] == over_angle["word"].values.tolist()
     assert max(gait.error for gait in found) < 1e-9
-    assert {"word border", "unclassified"} <= set(branch["special"].values)
+    assert {"word border", "unclassified"} <= set(over_angle["special"].values)
 
 
 def test_a_gait_is_on_the_branch_of_its_own_model_only():
