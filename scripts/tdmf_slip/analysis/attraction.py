@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..checks import checked_whole
+from ..errors import counted
 from ..library.engine import FATES, SETTLED, UNSOLVED
 from ..library.gait import Gait
 from ..library.laws import Law
@@ -66,7 +67,7 @@ class Volume:
         low, high = self.interval
         return (
             f"<Volume: {self.share:.4g} of the box settles ({low:.4g} to {high:.4g}), "
-            f"{self.settled:,} of {self.samples:,} starts>"
+            f"{self.settled:,} of {counted(self.samples, 'start')}>"
         )
 
     @property

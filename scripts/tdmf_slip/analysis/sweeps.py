@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from ..blocks import check_executor
 from ..checks import check_size, refusal
-from ..errors import InputError, RunError, TdmfSlipError
+from ..errors import InputError, RunError, TdmfSlipError, counted
 from ..files.resume import Resumed
 from ..files.whole import check_destination
 from ..library.gait import Gait, first_runner_in, gaits_dataset
@@ -59,10 +59,10 @@ class Sweep(NamedTuple):
     def __repr__(self) -> str:
         """The varied names, and the numbers of gaits and borders, in one line."""
         words = self.gaits["word"]
-        found, count = int((words != "").sum()), words.size
-        gaits = f"{count}" if found == count else f"{found} of {count}"
-        names, borders = ", ".join(map(str, words.dims)), self.borders.sizes["border"]
-        return f"<Sweep over {names}: {gaits} gaits, {borders} borders>"
+        found, gaits = int((words != "").sum()), counted(words.size, "gait")
+        names, borders = ", ".join(map(str, words.dims)), counted(self.borders.sizes["border"], "border")
+        missed = "" if found == words.size else f"{found:,} of "
+        return f"<Sweep over {names}: {missed}{gaits}, {borders}>"
 
     def _repr_html_(self) -> str:
         """Both datasets as boxes for a notebook, with their attributes folded."""

@@ -226,7 +226,7 @@ class Fit:
         more = ", ..." if len(self.estimates) > 4 else ""
         return (
             f"<Fit {found}{more}: chi square {self.chi_square:.4g} with "
-            f"{self.degrees_of_freedom} degree{'' if self.degrees_of_freedom == 1 else 's'} of freedom>"
+            f"{counted(self.degrees_of_freedom, 'degree')} of freedom>"
         )
 
     @property

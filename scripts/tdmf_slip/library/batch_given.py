@@ -244,7 +244,7 @@ class Given:
 
     def __repr__(self) -> str:
         """The number of runners, their model, and what varies among them, in one line."""
-        count = f"{len(self):,} runner{'' if len(self) == 1 else 's'}"
+        count = counted(len(self), "runner")
         among = f", over {', '.join(self.varied)}" if self.varied else ""
         ground = ", on rough ground" if self.ground.is_drawn else ""
         law = "" if self.law is None else ", with a law"

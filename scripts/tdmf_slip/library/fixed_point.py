@@ -130,8 +130,7 @@ class Closing:
             try:
                 self.stride(last, False)
             except RunError as problem:
-                count = made + closed
-                raise self._not_found(f"{problem} after {count} stride{'' if count == 1 else 's'}") from None
+                raise self._not_found(f"{problem} after {counted(made + closed, 'stride')}") from None
         return last
 
     def _not_found(self, why: str) -> GaitNotFoundError:

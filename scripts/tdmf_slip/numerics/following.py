@@ -1,9 +1,10 @@
 """Follow a curve of solutions of any equations by predictor and corrector.
 
 A curve is given by a `Problem` with one equation less than it has unknowns. Unknowns are over their scales,
-and the last ones are parameters, which have ranges. `follow` predicts along the tangent and corrects on the
-plane across it. A step counts only if it can be walked back: the corrector that starts from the new point's
-tangent has to find the old point. Otherwise the step may have led to another curve that comes near.
+and the last ones are parameters, which have ranges. `follow` predicts by a cubic through the last two points,
+or along the tangent, and corrects on the plane across the tangent. A step counts only if it can be walked
+back: the corrector that starts from the new point's tangent has to find the old point. Otherwise the step may
+have led to another curve that comes near.
 """
 
 from __future__ import annotations
@@ -32,7 +33,7 @@ RETURNED = 1e-3
 ON_EDGE = 1e-9
 """Share of a range: a point this near to an end of the range is on the edge."""
 TRUSTED = 0.1
-"""Largest distance of an extrapolated point from the tangent, over the step."""
+"""Largest distance of an extrapolated point from the one along the tangent, over the step."""
 BESIDE = 0.5
 """Share of a step: the step does not pass points farther from its straight way."""
 BEYOND = (1e-6, 3e-6, 1e-5, 3e-5, 1e-4, 3e-4, 1e-3, 3e-3, 1e-2)
@@ -74,9 +75,10 @@ class Point:
         return self if self.tangent @ direction >= 0.0 else self.reversed()
 
     def extrapolated(self, goal: Vector, across: Vector) -> Vector:
-        """Where the cubic through the point before and this one meets the plane across a direction at a goal.
+        """Prediction of the next point, on the plane across a direction through a goal.
 
-        The goal itself where that is farther off than a step may lead.
+        A cubic has the places and tangents of this point and the one before. Where it meets the plane too far
+        from the goal, or where there is no point before, the prediction is the goal.
         """
         if self.before is None:
             return goal
@@ -219,7 +221,7 @@ class Problem:
     def correct(self, goal: Vector, across: Vector, near: Point | None = None) -> Point:
         """The curve's point near a goal on the plane across a direction; its tangent goes along it.
 
-        A point that is near, by its Jacobian and where the curve leads from it, may save some evaluations.
+        A point that is near may save some evaluations by its Jacobian and its extrapolation.
         """
         rows, guess = (None, goal) if near is None else (near.rows, near.extrapolated(goal, across))
         try:
