@@ -86,7 +86,7 @@ def test_laws_that_do_not_keep_the_gait_are_told(gait, nothing):
     refused("law = 1 is not allowed; allowed: a function of apices and", 1)
     reduced = find_gait({"ground.friction": 0.6}, model="reduced")
     with pytest.raises(
-        InputError, match="law: of 6 coordinates; allowed, as the runner has: com_height, com_speed"
+        InputError, match="law: has 6 coordinates; allowed: those of the runner, com_height, com_speed"
     ):
         robustness(reduced, nothing)
     with pytest.raises(InputError, match="law = 'stiff' is not allowed"):

@@ -269,7 +269,11 @@ def test_a_patch_is_drawn_and_has_no_gait(driver, address, end):
     shown = driver.execute_script(COLOURED_PIXELS)
     text = find(driver, "gait-hint").text
     if end == 50:
-        assert shown > 200 and text.startswith("No gait was looked for: on a patch") and "apex" not in text
+        assert (
+            shown > 200
+            and text.startswith("No gait was searched for: on a slippery patch")
+            and "apex" not in text
+        )
         assert [find(driver, f"{card}-hint").text for card in ("friction", "region")] == [
             "There is no gait."
         ] * 2

@@ -98,8 +98,7 @@ bool live_find_gait(void) {
     if (has_patch()) {
         snprintf(live.message, sizeof live.message,
                  "No gait was searched for: on a slippery patch a stride depends on where the foot is; "
-                 "allowed for "
-                 "gaits: ground.patch_begin = ground.patch_end, for no patch.");
+                 "allowed for gaits: ground.patch_begin = ground.patch_end, for no patch.");
         return false;
     }
     const tdmf_stride_request request = request_by(&solver);

@@ -265,8 +265,8 @@ def _check_rows(experiment: Experiment, duration: float) -> None:
         raise InputError(
             f"output_interval = {interval:g}: {duration / interval:,.0f} rows up to {duration:g} s; "
             f"allowed: {experiment.max_rows:,} rows of "
-            f"{counted(1 + len(experiment.variables), 'column')}, which "
-            f"an interval of {duration / experiment.max_rows:.3g} gives; of fewer variables more"
+            f"{counted(1 + len(experiment.variables), 'column')}; "
+            f"raise the interval to about {duration / experiment.max_rows:.3g} s, or record fewer variables"
         )
 
 

@@ -200,7 +200,7 @@ class AffineLaw:
         fits = self.model.names == runner.model.names
         if not fits or len(self.apex) != len(runner.coordinates):
             raise InputError(
-                f"law: of {counted(len(self.apex), 'coordinate')}; allowed, as the runner has: "
+                f"law: has {counted(len(self.apex), 'coordinate')}; allowed: those of the runner, "
                 f"{', '.join(runner.coordinates)}"
             )
         for name in self.inputs:
