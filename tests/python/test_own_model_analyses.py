@@ -220,7 +220,9 @@ def test_derivatives_of_a_run_from_the_start_are_the_closed_form(ball):
 
 
 def test_what_needs_the_package_s_own_models_says_so(my_runner, ball):
-    with pytest.raises(InputError, match="needs a model of the package itself; allowed for it"):
+    with pytest.raises(
+        InputError, match="runner of the model my_runner: this function takes only the package's own models"
+    ):
         tdmf_slip.prove(my_runner)
     with pytest.raises(InputError, match=r"stiffness.* is neither an argument nor a variable"):
         find_gait(ball, stiffness=1)

@@ -86,7 +86,7 @@ def _path_of(given: Path) -> Path:
 
 def start_values_of(runner: object, aliases: Mapping[str, str] = ALIASES) -> Mapping[str, Any]:
     """Start values of a runner of the package's own models, given in any way."""
-    refuse_own(runner, "what is asked")
+    _refuse_own(runner)
     if isinstance(runner, str | os.PathLike):
         return read_parameters(runner, aliases)
     own = getattr(runner, "start_values", None)  # of a Gait
@@ -95,16 +95,15 @@ def start_values_of(runner: object, aliases: Mapping[str, str] = ALIASES) -> Map
     return by_full_name(runner, "runner", RUNNER, aliases)
 
 
-def refuse_own(runner: object, what: str) -> None:
+def _refuse_own(runner: object) -> None:
     """Refuse runners of a model of one's own where only the package's own models are known."""
     given = runner, getattr(runner, "model", None), getattr(getattr(runner, "runner", None), "model", None)
     own = next((one for one in given if getattr(one, "is_page", None)), None)
     if own is not None:
         name = getattr(own, "name", own)
         raise InputError(
-            f"runner of the model {name}: {what} needs a model of the package itself; allowed for it: "
-            "find_gait, sweep, continue_branch, continue_curves, optimize, fit, stride_map, Batch, basin, "
-            "viability, lqr, dead_beat, place_poles, simulate, trajectory, plot"
+            f"runner of the model {name}: this function takes only the package's own models; most others, "
+            "such as find_gait, sweep, Batch, strides_to_fall and simulate, take any model"
         )
 
 
