@@ -141,7 +141,8 @@ def events_of(run):
 def test_random_runners_of_any_stiffness_vary_as_differences_do(whole):
     checked = 0
     observed = [whole.states.index(o.into) for o in whole.model.marked("is_observed").values()]
-    for number in some_of(range(3000), 60):
+    lost_slip = 1866  # the step before the slip ends at its guard's zero, and rounding leaves the guard below
+    for number in {*some_of(range(3000), 60), lost_slip}:
         parameters, inputs, world, segments, (length, rate, _) = drawn(number)
         values = whole.names(parameters | inputs) | world
         values |= {"swing_clamp": number % 2, "tolerance": 1e-14, "step_limit": 5000}

@@ -464,7 +464,9 @@ static inline mask begin_below(page_step *step, int guard, real *g, real *floor,
     if (any(falls_at_once)) {
         falls_at_once &= g[1] * time_of_change(step, g, watch->scale) < -band;
     }
-    step->is_reached |= (due & is_zero & was_above) | falls_at_once;
+    /* The step before may end where the guard comes down; rounding then leaves it clearly below zero. */
+    const mask came_down = due & was_above & (is_zero | mask_not(step->begins));
+    step->is_reached |= came_down | falls_at_once;
     /* Hardly below zero, it has to rise further than rounding: shorter steps might change nothing. */
     const real height = select(mask_not(is_zero) & (value >= -late_band), late_band, band);
     end_where_it_rises(step, g, height, below);
