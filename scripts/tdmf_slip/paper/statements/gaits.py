@@ -162,6 +162,8 @@ HIGHEST, POINTS = math.radians(30.0), 100
 BIFURCATIONS = (FOLD, PERIOD_DOUBLING, NEIMARK_SACKER)
 FLAT = 0.85
 """Touchdown angle that lays the leg flatter than the paper's 40 degrees, rad."""
+BELOW_TOP = math.radians(0.1)
+"""Difference from the steepest slope, rad."""
 UPHILL = math.radians(1.5)
 """Slope on which the gaits of both frictions are stable in Table 1, rad."""
 
@@ -198,9 +200,20 @@ def stable_to(friction: float, angle: float | None = None, reference: float | No
     return solved(degrees)
 
 
-def at_the_top(quantity: str, friction: float) -> Measure:
-    """A quantity of the steepest gait."""
-    return solved(lambda regime: float(climb(regime, friction, None, None)[quantity][-1]))
+def speed_near_top(friction: float) -> Measure:
+    """Speed of the gait on a slope just below the steepest.
+
+    On a slope of arctan(friction) a gait that slips backward throughout may have any of a range of speeds,
+    because gravity and friction cancel along the ground.
+    """
+
+    def speed(regime: Regime) -> float:
+        slope = float(climb(regime, friction, None, None)[SLOPE][-1]) - BELOW_TOP
+        level = _level(regime, friction, None)
+        branch = continue_branch(level, {SLOPE: (0.0, slope)}, max_points=POINTS, switch=False)
+        return float(up_to_turn(branch)["speed"][-1])
+
+    return solved(speed)
 
 
 def slowed(friction: float, reference: float | None = None) -> Measure:
@@ -217,10 +230,7 @@ def slowed(friction: float, reference: float | None = None) -> Measure:
 SLOPES: Measures = {
     "slope-speed": (slowed(SLIPS), slowed(STICKS, SLIPS)),
     "slope-steepest": (steepest(SLIPS), steepest(STICKS)),
-    "slope-top-speed": (
-        at_the_top("speed", SLIPS),
-        stride_quantity(of(gait, SLIPS), "speed"),
-    ),
+    "slope-top-speed": (speed_near_top(SLIPS), stride_quantity(of(gait, SLIPS), "speed")),
     "slope-stable": (stable_to(SLIPS), stable_to(STICKS)),
     "slope-stable-matched": (stable_to(SLIPS), stable_to(STICKS, None, SLIPS)),
     "slope-flat": (stable_to(SLIPS, FLAT), stable_to(STICKS, FLAT)),
