@@ -57,7 +57,7 @@ static bool is_case(tdmf_refusal *why, const tdmf_ensemble_case *its_case, const
 /* A stride that begins anew begins in the first mode. */
 static bool is_checkpoint(const tdmf_ensemble_checkpoint *from, const tdmf_ensemble *ensemble) {
     const tdmf_model_kind *model = model_of(ensemble);
-    return from->mode >= 0 && from->mode < (tdmf_has_ground(model) ? model->mode_count : 1);
+    return from->mode == 0 || (from->mode > 0 && from->mode < model->mode_count && tdmf_has_ground(model));
 }
 
 static bool range(const tdmf_ensemble *ensemble, int setting, double *least, double *most) {

@@ -145,7 +145,7 @@ def _text(result: Mapping[str, Any]) -> str:
     rows = {
         "cells": " by ".join(map(str, result["cells"])),
         "actions": str(result["actions"]),
-        "strides": f"{result['strides']}, of which {result['closed']} reach a next apex",
+        "strides": f"{result['strides']}, of which {result['closed']} reach another apex",
         "viable": f"{100 * result['inner_share']:.2f} to {100 * result['outer_share']:.2f} % of the cells",
         "viable actions": f"{100 * result['inner_robustness']:.2f} to "
         f"{100 * result['outer_robustness']:.2f} %, mean over all cells",

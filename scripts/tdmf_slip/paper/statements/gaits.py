@@ -209,9 +209,7 @@ def speed_near_top(friction: float) -> Measure:
 
     def speed(regime: Regime) -> float:
         slope = float(climb(regime, friction, None, None)[SLOPE][-1]) - BELOW_TOP
-        level = _level(regime, friction, None)
-        branch = continue_branch(level, {SLOPE: (0.0, slope)}, max_points=POINTS, switch=False)
-        return float(up_to_turn(branch)["speed"][-1])
+        return gait_with(_level(regime, friction, None), SLOPE, slope).stride["speed"]
 
     return solved(speed)
 
